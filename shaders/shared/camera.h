@@ -1,0 +1,56 @@
+// Camera rays and the `primary` integrator's pixel, one definition for both sides.
+#ifndef METAMARCH_SHARED_CAMERA_H
+#define METAMARCH_SHARED_CAMERA_H
+#include "shared/interop.h"
+
+SHARED_BEGIN
+
+// A linear camera: perspective where the origin steps are zero, orthographic where the direction steps are. The
+// steps lead from the centre of the picture to its right and lower edge. `forward` is of unit length.
+struct Camera {
+    vec3 eye;
+    uint width; // pixels
+    vec3 forward;
+    uint height;
+    vec3 eyeRight;
+    uint padding0;
+    vec3 eyeDown;
+    uint padding1;
+    vec3 dirRight;
+    uint padding2;
+    vec3 dirDown;
+    uint padding3;
+};
+
+struct CameraRay {
+    vec3 origin;
+    vec3 dir; // unit length
+};
+
+// normalize() may be approximate; this is not.
+SHARED_FN vec3 unitVector(const vec3 v) {
+    SHARED_PRECISE const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
+    SHARED_PRECISE const vec3 unit = v / sqrt(squared);
+    return unit;
+}
+
+// The ray through the centre of pixel (x, y); (0, 0) is top left.
+SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {
+    SHARED_PRECISE const float right = (float(x) + 0.5f) / float(camera.width) * 2.0f - 1.0f;
+    SHARED_PRECISE const float down = (float(y) + 0.5f) / float(camera.height) * 2.0f - 1.0f;
+    SHARED_PRECISE const vec3 origin = camera.eye + camera.eyeRight * right + camera.eyeDown * down;
+    SHARED_PRECISE const vec3 dir = camera.forward + camera.dirRight * right + camera.dirDown * down;
+    return CameraRay(origin, unitVector(dir));
+}
+
+SHARED_ASSERT_SIZE(Camera, 96)
+SHARED_ASSERT_OFFSET(Camera, width, 12)
+SHARED_ASSERT_OFFSET(Camera, forward, 16)
+SHARED_ASSERT_OFFSET(Camera, height, 28)
+SHARED_ASSERT_OFFSET(Camera, eyeRight, 32)
+SHARED_ASSERT_OFFSET(Camera, eyeDown, 48)
+SHARED_ASSERT_OFFSET(Camera, dirRight, 64)
+SHARED_ASSERT_OFFSET(Camera, dirDown, 80)
+
+SHARED_END
+#endif

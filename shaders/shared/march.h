@@ -1,0 +1,41 @@
+// The steps of the march through the meta table; the loops are in traversal/meta_table.glsl and its CPU twin.
+#ifndef METAMARCH_SHARED_MARCH_H
+#define METAMARCH_SHARED_MARCH_H
+#include "shared/ray.h"
+
+SHARED_BEGIN
+
+// The cell at distance t, kept within [lo, hi).
+SHARED_FN ivec3 cellAt(const Ray ray, const float t, const ivec3 lo, const ivec3 hi) {
+    SHARED_PRECISE const vec3 p = ray.start + ray.stride * t;
+    return ivec3(clamp(floor(p), vec3(lo), vec3(hi - 1))); // clamped as floats: every value converts
+}
+
+struct BoxExit {
+    float t;    // where the ray leaves the box
+    ivec3 cell; // the first cell behind it; may lie outside the lattice
+};
+
+// Leaves the box [lo, hi) that `cell` lies in. The cell moves on by at least one in exactly one axis, the one whose
+// plane comes first by ordered comparison, and set from the integer plane; in the others it never moves back: a
+// float position could, by a rounding, and the march would then not end.
+SHARED_FN BoxExit leaveBox(const Ray ray, const ivec3 lo, const ivec3 hi, const ivec3 cell) {
+    const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
+    SHARED_PRECISE const vec3 tPlane = (vec3(mix(lo, hi, upward)) - ray.start) * ray.invStride;
+    const bool exitX = tPlane.x <= tPlane.y && tPlane.x <= tPlane.z;
+    const bool exitY = !exitX && tPlane.y <= tPlane.z;
+    const float t = exitX ? tPlane.x : exitY ? tPlane.y : tPlane.z;
+
+    const ivec3 entered = cellAt(ray, t, lo, hi);
+    const ivec3 onward = mix(min(entered, cell), max(entered, cell), upward);
+    const ivec3 beyond = mix(lo - 1, hi, upward);
+    return BoxExit(t, ivec3(exitX ? beyond.x : onward.x, exitY ? beyond.y : onward.y,
+                            exitX || exitY ? onward.z : beyond.z));
+}
+
+SHARED_FN bool isInLattice(const ivec3 cell, const uvec3 resolution) {
+    return uint(cell.x) < resolution.x && uint(cell.y) < resolution.y && uint(cell.z) < resolution.z;
+}
+
+SHARED_END
+#endif

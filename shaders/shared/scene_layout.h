@@ -1,0 +1,84 @@
+// Scene buffers as both sides see them: the host writes these structs, the shaders and the judges read them.
+// A vec3 is always followed by one 4-byte scalar, so std430, scalar and C++ agree on every offset.
+#ifndef METAMARCH_SHARED_SCENE_LAYOUT_H
+#define METAMARCH_SHARED_SCENE_LAYOUT_H
+#include "shared/interop.h"
+
+SHARED_BEGIN
+
+const uint kNoTriangle = 0xffffffffu;
+const uint kMaxLatticeResolution = 1023u; // per axis: a packed corner holds 10 bits per axis, hi exclusive
+
+// Binding numbers of the buffers that every kernel over a scene shares (set 0).
+const uint kBindLattice = 0u;
+const uint kBindLeaves = 1u;
+const uint kBindTable = 2u;
+const uint kBindMaterialOfTriangle = 3u;
+const uint kBindMaterials = 4u;
+const uint kBindInput = 5u;  // what a kernel reads besides the scene
+const uint kBindOutput = 6u; // what it writes
+const uint kBindTriangles = 7u; // the first of kTriangleChunks bindings
+
+// The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it is
+// cut into up to this many buffers of equal size.
+const uint kTriangleChunks = 8u;
+
+// Specialization constants.
+const uint kSpecTriangleChunks = 0u;    // chunks in use, 1..kTriangleChunks
+const uint kSpecTrianglesPerChunk = 1u; // records in each chunk but the last
+const uint kSpecAnyHit = 2u;            // kernel rays: 1 asks for any hit, 0 for the closest
+
+// The uniform lattice over the scene box. Geometry lies inside, at least kBoxPadding from every face.
+struct Lattice {
+    vec3 origin;        // world space
+    float extent;       // longest side of the lattice in world units
+    vec3 cellsPerUnit;  // world to lattice space: (p - origin) * cellsPerUnit
+    uint cellCount;     // product of the resolution
+    uvec3 resolution;   // 1..kMaxLatticeResolution
+    uint triangleCount; // without degenerate ones
+};
+
+// One leaf: the box of whole cells [lo, hi) a ray may cross once the leaf is tested, and its triangles, which lie
+// together in leaf order.
+struct Leaf {
+    uint lo; // packCell
+    uint hi; // packCell, exclusive
+    uint firstTriangle;
+    uint triangleCount;
+};
+
+// A triangle record is kTriangleWords 32-bit words: nine coordinates (v0, v1, v2; world space) and the triangle id.
+const uint kTriangleWords = 10u;
+const uint kTriangleIdWord = 9u;
+
+// What shading reads of a material.
+struct ShadingMaterial {
+    vec3 baseColor; // linear
+    float alpha;
+};
+
+SHARED_FN uint packCell(const uvec3 cell) { return cell.x | (cell.y << 10u) | (cell.z << 20u); }
+
+SHARED_FN ivec3 unpackCell(const uint packedCell) {
+    return ivec3(int(packedCell & 1023u), int((packedCell >> 10u) & 1023u), int(packedCell >> 20u));
+}
+
+SHARED_FN uint cellIndex(const ivec3 cell, const uvec3 resolution) {
+    return (uint(cell.z) * resolution.y + uint(cell.y)) * resolution.x + uint(cell.x);
+}
+
+SHARED_ASSERT_SIZE(Lattice, 48)
+SHARED_ASSERT_OFFSET(Lattice, extent, 12)
+SHARED_ASSERT_OFFSET(Lattice, cellsPerUnit, 16)
+SHARED_ASSERT_OFFSET(Lattice, cellCount, 28)
+SHARED_ASSERT_OFFSET(Lattice, resolution, 32)
+SHARED_ASSERT_OFFSET(Lattice, triangleCount, 44)
+SHARED_ASSERT_SIZE(Leaf, 16)
+SHARED_ASSERT_OFFSET(Leaf, hi, 4)
+SHARED_ASSERT_OFFSET(Leaf, firstTriangle, 8)
+SHARED_ASSERT_OFFSET(Leaf, triangleCount, 12)
+SHARED_ASSERT_SIZE(ShadingMaterial, 16)
+SHARED_ASSERT_OFFSET(ShadingMaterial, alpha, 12)
+
+SHARED_END
+#endif

@@ -1,0 +1,106 @@
+// The triangle test of every traversal, on both sides.
+#ifndef METAMARCH_SHARED_TRIANGLE_H
+#define METAMARCH_SHARED_TRIANGLE_H
+#include "shared/ray.h"
+
+SHARED_BEGIN
+
+struct Hit {
+    float t; // from ray.origin, in lengths of ray.dir
+    uint triangleId; // kNoTriangle for a miss
+};
+
+const float kNoHit = -1.0f; // every real t is positive
+
+// The rounding error of the product p = a * b, exactly. T. J. Dekker, "A floating-point technique for extending the
+// available precision", Numerische Mathematik 18, 1971.
+SHARED_FN float productError(const float a, const float b, const float p) {
+    const float kSplitter = 4097.0f; // 2^12 + 1 cuts a 24-bit significand in two
+    SHARED_PRECISE const float aBig = a * kSplitter;
+    SHARED_PRECISE const float aHigh = aBig - (aBig - a);
+    SHARED_PRECISE const float aLow = a - aHigh;
+    SHARED_PRECISE const float bBig = b * kSplitter;
+    SHARED_PRECISE const float bHigh = bBig - (bBig - b);
+    SHARED_PRECISE const float bLow = b - bHigh;
+    SHARED_PRECISE const float error = ((aHigh * bHigh - p) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+    return error;
+}
+
+// a * b - c * d within a few ulps of the result, also where the two products all but cancel.
+SHARED_FN float differenceOfProducts(const float a, const float b, const float c, const float d) {
+    SHARED_PRECISE const float ab = a * b;
+    SHARED_PRECISE const float cd = c * d;
+    SHARED_PRECISE const float difference = (ab - cd) + (productError(a, b, ab) - productError(c, d, cd));
+    return difference;
+}
+
+// Where the ray hits the triangle, or kNoHit. The vertices are in the order of ray.axes.
+// S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+//
+// Watertight: shearing moves each vertex to a place of its own in the plane, the same for every triangle that
+// shares it. The sign of a rounded a * b - c * d is never the wrong one, as rounding is monotone; it can only be
+// zero too often, and zero counts as inside. So of two triangles at an edge at least one is hit.
+//
+// The hit lies at the triangle: the weights U, V, W are all of one sign, so t lies between the depths of the three
+// vertices, and the ray's point at t is off the triangle by at most about 9 ulps of L^3 / |det|, L being the
+// largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the weights are
+// computed again without cancellation. accel/README.md says who relies on it.
+SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
+    SHARED_PRECISE const vec3 a = v0 - ray.sheared;
+    SHARED_PRECISE const vec3 b = v1 - ray.sheared;
+    SHARED_PRECISE const vec3 c = v2 - ray.sheared;
+    SHARED_PRECISE const float ax = a.x - ray.shear.x * a.z;
+    SHARED_PRECISE const float ay = a.y - ray.shear.y * a.z;
+    SHARED_PRECISE const float bx = b.x - ray.shear.x * b.z;
+    SHARED_PRECISE const float by = b.y - ray.shear.y * b.z;
+    SHARED_PRECISE const float cx = c.x - ray.shear.x * c.z;
+    SHARED_PRECISE const float cy = c.y - ray.shear.y * c.z;
+
+    SHARED_PRECISE float u = cx * by - cy * bx;
+    SHARED_PRECISE float v = ax * cy - ay * cx;
+    SHARED_PRECISE float w = bx * ay - by * ax;
+    if (min(min(u, v), w) < 0.0f && max(max(u, v), w) > 0.0f) {
+        return kNoHit;
+    }
+    SHARED_PRECISE float det = u + v + w;
+
+    const float reach = max(max(max(abs(ax), abs(ay)), max(abs(bx), abs(by))), max(abs(cx), abs(cy)));
+    if (!(reach * reach * reach <= abs(det) * ray.extent)) {
+        u = differenceOfProducts(cx, by, cy, bx);
+        v = differenceOfProducts(ax, cy, ay, cx);
+        w = differenceOfProducts(bx, ay, by, ax);
+        if (min(min(u, v), w) < 0.0f && max(max(u, v), w) > 0.0f) {
+            return kNoHit;
+        }
+        det = u + v + w;
+    }
+    if (det == 0.0f) {
+        return kNoHit; // seen edge-on: its neighbours cover what it covers
+    }
+
+    SHARED_PRECISE const float depth = (u * a.z + v * b.z + w * c.z) * ray.shear.z;
+    SHARED_PRECISE const float t = depth / det;
+    return t > ray.tMin ? t : kNoHit;
+}
+
+// A triangle whose normal is smaller than this in every component has no direction in floats: it is degenerate, and
+// kept out of every structure.
+const float kSmallestNormal = 7.88860905221011805e-31f; // 2^-100
+
+// The geometric normal times twice the area, towards the side from which v0, v1, v2 run counter-clockwise.
+SHARED_FN vec3 scaledNormal(const vec3 v0, const vec3 v1, const vec3 v2) {
+    SHARED_PRECISE const vec3 e1 = v1 - v0;
+    SHARED_PRECISE const vec3 e2 = v2 - v0;
+    SHARED_PRECISE const vec3 normal =
+        vec3(e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x);
+    return normal;
+}
+
+// The order of hits: the nearer one, of two at the same t the one with the smaller id. So the closest hit does not
+// depend on the order in which triangles are tested.
+SHARED_FN bool isCloser(const float t, const uint triangleId, const Hit best) {
+    return t < best.t || (t == best.t && triangleId < best.triangleId);
+}
+
+SHARED_END
+#endif
