@@ -1,0 +1,87 @@
+#include "accel/acceleration_structure.h"
+
+#include "accel/meta_table.h"
+#include "error.h"
+#include "shared/triangle.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// Seconds since `start`, which moves on to now.
+double lap(std::chrono::steady_clock::time_point& start) {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    start = now;
+    return seconds;
+}
+
+glm::vec3 corner(const Scene& scene, const std::uint32_t triangleId, const int i) {
+    return scene.positions[scene.triangles[triangleId][i]];
+}
+
+} // namespace
+
+std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
+    std::vector<std::uint32_t> ids;
+    ids.reserve(scene.triangles.size());
+    for (std::uint32_t id = 0; id < scene.triangles.size(); ++id) {
+        const vec3 normal = scaledNormal(corner(scene, id, 0), corner(scene, id, 1), corner(scene, id, 2));
+        if (largest(abs(normal)) >= kSmallestNormal) {
+            ids.push_back(id);
+        }
+    }
+    return ids;
+}
+
+std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene, const std::vector<std::uint32_t>& triangleIds) {
+    std::vector<std::uint32_t> words(triangleIds.size() * kTriangleWords);
+    tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t slot) {
+        std::uint32_t* const record = &words[slot * kTriangleWords];
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec3 position = corner(scene, triangleIds[slot], i);
+            for (int axis = 0; axis < 3; ++axis) {
+                record[3 * i + axis] = std::bit_cast<std::uint32_t>(position[axis]);
+            }
+        }
+        record[kTriangleIdWord] = triangleIds[slot];
+    });
+    return words;
+}
+
+AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options) {
+    const std::vector<std::uint32_t> ids = solidTriangles(scene);
+    const unsigned depth = options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(ids.size())));
+    if (depth > kMaxTreeDepth) {
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--tree-depth {} is over the limit of {}", depth, kMaxTreeDepth));
+    }
+
+    AccelerationStructure result;
+    result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
+    const LatticeChoice choice = makeLattice(boundsOf(scene), static_cast<std::uint32_t>(ids.size()), options);
+    result.lattice = choice.lattice;
+    result.unit = choice.unit;
+
+    auto clock = std::chrono::steady_clock::now();
+    std::vector<LatticeTriangle> corners(ids.size());
+    tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
+        for (int k = 0; k < 3; ++k) {
+            corners[i][static_cast<std::size_t>(k)] = toLattice(result.lattice, corner(scene, ids[i], k));
+        }
+    });
+    result.tree = buildKdTree(result.lattice, corners, ids, depth);
+    result.triangleWords = makeTriangleRecords(scene, result.tree.leafTriangles);
+    result.treeSeconds = lap(clock);
+    result.leafOfCell = buildMetaTable(result.lattice, result.tree.leaves);
+    result.tableSeconds = lap(clock);
+    return result;
+}
+
+} // namespace metamarch

@@ -1,0 +1,33 @@
+// Everything rays need of a scene: lattice, kd-tree, meta table and the triangle records in leaf order.
+#pragma once
+#include "accel/kd_tree.h"
+#include "accel/lattice.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace metamarch {
+
+struct AccelerationStructure {
+    Lattice lattice;
+    glm::dvec3 unit; // LatticeChoice::unit
+    KdTree tree;
+    std::vector<std::uint32_t> leafOfCell;   // the meta table
+    std::vector<std::uint32_t> triangleWords; // kTriangleWords per entry of tree.leafTriangles
+
+    std::uint32_t degenerateTriangles = 0; // of the scene, in no leaf
+    double treeSeconds = 0.0;              // wall time
+    double tableSeconds = 0.0;
+};
+
+// Throws what makeLattice and buildKdTree throw; Error(badArguments) for a depth over kMaxTreeDepth.
+AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options);
+
+// The records of `triangleIds`, kTriangleWords each.
+std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene, const std::vector<std::uint32_t>& triangleIds);
+
+// Ids of the triangles that have a normal in single precision, ascending: those that rays can meet.
+std::vector<std::uint32_t> solidTriangles(const Scene& scene);
+
+} // namespace metamarch

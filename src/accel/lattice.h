@@ -1,0 +1,37 @@
+// The uniform lattice that every split plane and every table cell lies on.
+#pragma once
+#include "accel/options.h"
+#include "scene/scene.h"
+#include "shared/scene_layout.h"
+
+namespace metamarch {
+
+// Every triangle is listed in each leaf that comes this near to it, as a fraction of the lattice's longest side:
+// 64 half-ulps. README.md in this folder adds up the roundings it has to cover.
+inline constexpr double kReferenceMargin = 0x1p-18;
+
+// The lattice keeps geometry this far inside, in the same measure.
+inline constexpr double kBoxPadding = 2.0 * kReferenceMargin;
+
+// Bytes that the table may take, 4 per cell.
+inline constexpr std::uint64_t kTableBudget = std::uint64_t{1} << 30;
+
+struct LatticeChoice {
+    Lattice lattice;
+    glm::dvec3 unit; // the unit lengths asked for or chosen; the cells are up to about 1e-5 larger where
+                     // ceil(extent / unit) cells of it would leave no padding
+};
+
+// The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
+// ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides.
+// Throws Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory) for
+// more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
+LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount, const AccelerationOptions& options);
+
+// World to lattice space, in double precision: exactly the map that the shaders round.
+glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);
+
+// kReferenceMargin in cells.
+glm::dvec3 referenceMargin(const Lattice& lattice);
+
+} // namespace metamarch

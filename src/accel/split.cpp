@@ -1,0 +1,84 @@
+#include "accel/split.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace metamarch {
+namespace {
+
+// Below this the three sweeps together take less time than handing them out.
+constexpr std::size_t kParallelReferences = 1u << 14u;
+
+double halfArea(const glm::dvec3 size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
+
+std::optional<Split> sweepAxis(const std::span<const TriangleReference> references, const CellRange& box,
+                               const glm::dvec3& cellSize, const unsigned axis) {
+    const unsigned first = box.lo[axis];
+    const unsigned planes = static_cast<unsigned>(box.hi[axis] - box.lo[axis]);
+    if (planes == 0) {
+        return std::nullopt;
+    }
+    // begins[i], ends[i]: references whose first, last cell is first + i. So every plane is counted exactly.
+    std::array<std::vector<std::uint32_t>, 2> histograms;
+    auto& [begins, ends] = histograms;
+    begins.resize(planes + 1);
+    ends.resize(planes + 1);
+    for (const TriangleReference& reference : references) {
+        ++begins[reference.cells.lo[axis] - first];
+        ++ends[reference.cells.hi[axis] - first];
+    }
+
+    glm::dvec3 size;
+    for (std::size_t i = 0; i < 3; ++i) {
+        size[static_cast<int>(i)] = (box.hi[i] - box.lo[i] + 1) * cellSize[static_cast<int>(i)];
+    }
+    const double invArea = 1.0 / halfArea(size);
+    std::optional<Split> best;
+    std::size_t below = 0;
+    std::size_t above = references.size();
+    for (unsigned i = 0; i < planes; ++i) { // the plane between cells first + i and first + i + 1
+        below += begins[i];
+        above -= ends[i];
+        glm::dvec3 lower = size;
+        glm::dvec3 upper = size;
+        lower[static_cast<int>(axis)] = (i + 1) * cellSize[static_cast<int>(axis)];
+        upper[static_cast<int>(axis)] = (planes - i) * cellSize[static_cast<int>(axis)];
+        const double tests = invArea * (halfArea(lower) * static_cast<double>(below) +
+                                        halfArea(upper) * static_cast<double>(above));
+        const double bonus = below == 0 || above == 0 ? 1.0 - kEmptyBonus : 1.0;
+        const double cost = kStepCost + bonus * tests;
+        if (!best || cost < best->cost) {
+            best = Split{axis, static_cast<std::uint16_t>(first + i + 1), cost};
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<Split> findSplit(const std::span<const TriangleReference> references, const CellRange& box,
+                               const glm::dvec3& cellSize) {
+    std::array<std::optional<Split>, 3> candidates;
+    const auto sweep = [&](const unsigned axis) {
+        candidates[axis] = sweepAxis(references, box, cellSize, axis);
+    };
+    if (references.size() >= kParallelReferences) {
+        tbb::parallel_for(0u, 3u, sweep);
+    } else {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            sweep(axis);
+        }
+    }
+    std::optional<Split> best;
+    for (const std::optional<Split>& candidate : candidates) {
+        if (candidate && (!best || candidate->cost < best->cost)) {
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+} // namespace metamarch

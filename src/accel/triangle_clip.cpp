@@ -1,0 +1,77 @@
+#include "accel/triangle_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// A triangle cut by six planes has at most nine corners.
+struct Polygon {
+    std::array<glm::dvec3, 9> corners;
+    std::size_t size = 0;
+};
+
+// Keeps the part where side * (p[axis] - plane) >= 0.
+void clip(Polygon& polygon, const int axis, const double plane, const double side) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+        const glm::dvec3& p = polygon.corners[i];
+        const glm::dvec3& q = polygon.corners[i + 1 == polygon.size ? 0 : i + 1];
+        const double dp = side * (p[axis] - plane);
+        const double dq = side * (q[axis] - plane);
+        if (dp >= 0.0) {
+            kept.corners[kept.size++] = p;
+        }
+        if ((dp < 0.0) != (dq < 0.0)) {
+            glm::dvec3 cut = p + (q - p) * (dp / (dp - dq));
+            cut[axis] = plane;
+            kept.corners[kept.size++] = cut;
+        }
+    }
+    polygon = kept;
+}
+
+} // namespace
+
+std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
+                                      const glm::dvec3& margin) {
+    Polygon polygon;
+    std::copy(triangle.begin(), triangle.end(), polygon.corners.begin());
+    polygon.size = 3;
+    const glm::dvec3 lo = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
+    const glm::dvec3 hi = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
+    const auto side = [](const std::uint16_t cell) { return static_cast<double>(cell); };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        const double low = side(box.lo[i]) - margin[axis];
+        const double high = side(box.hi[i]) + 1.0 + margin[axis];
+        if (lo[axis] < low) {
+            clip(polygon, axis, low, 1.0);
+        }
+        if (hi[axis] > high) {
+            clip(polygon, axis, high, -1.0);
+        }
+    }
+    if (polygon.size == 0) {
+        return std::nullopt;
+    }
+
+    glm::dvec3 partLo = polygon.corners[0];
+    glm::dvec3 partHi = polygon.corners[0];
+    for (std::size_t i = 1; i < polygon.size; ++i) {
+        partLo = glm::min(partLo, polygon.corners[i]);
+        partHi = glm::max(partHi, polygon.corners[i]);
+    }
+    CellRange range;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        const double first = std::floor(partLo[axis] - margin[axis]);
+        const double last = std::floor(partHi[axis] + margin[axis]);
+        range.lo[i] = static_cast<std::uint16_t>(std::clamp(first, side(box.lo[i]), side(box.hi[i])));
+        range.hi[i] = static_cast<std::uint16_t>(std::clamp(last, side(box.lo[i]), side(box.hi[i])));
+    }
+    return range;
+}
+
+} // namespace metamarch
