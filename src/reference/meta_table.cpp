@@ -1,0 +1,62 @@
+#include "reference/triangle_records.h"
+#include "shared/march.h"
+
+#include <stdexcept>
+
+namespace metamarch {
+namespace {
+
+void require(const bool holds, const char* invariant) {
+    if (!holds) {
+        throw std::logic_error(invariant);
+    }
+}
+
+// One axis moved on, in the ray's direction, and no axis moved back.
+bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
+    int moved = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int forward = upward[axis] ? to[axis] - from[axis] : from[axis] - to[axis];
+        if (forward < 0) {
+            return false;
+        }
+        moved += forward;
+    }
+    return moved > 0;
+}
+
+} // namespace
+
+TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    const uvec3 resolution = scene.lattice.resolution;
+    const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
+    const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
+    ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(resolution));
+    while (true) {
+        require(isInLattice(cell, resolution), "the march left the lattice");
+        require(trace.steps < mostSteps, "the march did not end");
+        ++trace.steps;
+        const Leaf& leaf = scene.tree.leaves[scene.leafOfCell[cellIndex(cell, resolution)]];
+        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
+            testTriangle(scene.triangleWords, ray, leaf.firstTriangle + i, trace);
+        }
+        if (isDone(trace, query)) {
+            return trace;
+        }
+        const ivec3 lo = unpackCell(leaf.lo);
+        const ivec3 hi = unpackCell(leaf.hi);
+        require(cell == clamp(cell, lo, hi - 1), "the table names a leaf that does not hold the cell");
+        const BoxExit next = leaveBox(ray, lo, hi, cell);
+        require(movedOn(cell, next.cell, upward), "the march did not move on");
+        if (trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
+            return trace;
+        }
+        cell = next.cell;
+    }
+}
+
+} // namespace metamarch

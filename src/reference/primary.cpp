@@ -1,0 +1,47 @@
+#include "reference/primary.h"
+
+#include "reference/triangle_records.h"
+
+#include <tbb/parallel_for.h>
+
+namespace metamarch {
+namespace {
+
+PrimaryPixel renderPixel(const AccelerationStructure& structure, const std::span<const ShadingMaterial> materials,
+                         const std::span<const std::uint32_t> materialOfTriangle, const Camera& camera,
+                         const uint x, const uint y) {
+    const CameraRay view = cameraRay(camera, x, y);
+    const Ray ray = makeRay(structure.lattice, view.origin, 0.0f, view.dir, kFarthest);
+    const TraceResult trace = traceKdStack(structure, ray, HitQuery::closest);
+    PrimaryPixel pixel = missPrimary();
+    if (trace.hit.triangleId != kNoTriangle) {
+        constexpr auto kAxes = uvec3(0, 1, 2);
+        const std::span<const std::uint32_t> words = structure.triangleWords;
+        pixel = shadePrimary(camera, view, ray, trace.hit, triangleCorner(words, trace.slot, 0, kAxes),
+                             triangleCorner(words, trace.slot, 1, kAxes), triangleCorner(words, trace.slot, 2, kAxes),
+                             materials[materialOfTriangle[trace.hit.triangleId]]);
+    }
+    pixel.steps = trace.steps;
+    pixel.tests = trace.tests;
+    return pixel;
+}
+
+} // namespace
+
+std::vector<PrimaryPixel> renderPrimary(const AccelerationStructure& structure,
+                                        const std::span<const ShadingMaterial> materials,
+                                        const std::span<const std::uint32_t> materialOfTriangle,
+                                        const Camera& camera, const std::function<void(unsigned rows)>& onRows) {
+    std::vector<PrimaryPixel> pixels(std::size_t{camera.width} * camera.height);
+    tbb::parallel_for(0u, camera.height, [&](const uint y) {
+        const FlushDenormals flush;
+        for (uint x = 0; x < camera.width; ++x) {
+            pixels[std::size_t{y} * camera.width + x] =
+                renderPixel(structure, materials, materialOfTriangle, camera, x, y);
+        }
+        onRows(1);
+    });
+    return pixels;
+}
+
+} // namespace metamarch
