@@ -1,0 +1,31 @@
+// One invocation a pixel: camera ray, closest hit, head-light shading.
+#include "shared/primary.h"
+
+layout(local_size_x = kTilePixels) in;
+
+layout(std430, binding = kBindInput) readonly buffer CameraBuffer { Camera camera; };
+layout(std430, binding = kBindOutput) writeonly buffer PixelBuffer { PrimaryPixel pixels[]; };
+layout(push_constant) uniform PushBlock { PrimaryPush push; };
+
+void main() {
+    const uint tile = push.firstTile + gl_WorkGroupID.x;
+    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
+    const uvec2 pixel = uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
+    if (pixel.x >= camera.width || pixel.y >= camera.height) {
+        return;
+    }
+    const CameraRay view = cameraRay(camera, pixel.x, pixel.y);
+    const Ray ray = makeRay(lattice, view.origin, 0.0, view.dir, kFarthest);
+    const Trace trace = traverse(ray, false);
+
+    PrimaryPixel result = missPrimary();
+    if (trace.hit.triangleId != kNoTriangle) {
+        const uvec3 axes = uvec3(0u, 1u, 2u);
+        result = shadePrimary(camera, view, ray, trace.hit, triangleCorner(trace.slot, 0u, axes),
+                              triangleCorner(trace.slot, 1u, axes), triangleCorner(trace.slot, 2u, axes),
+                              materials[materialOfTriangle[trace.hit.triangleId]]);
+    }
+    result.steps = trace.steps;
+    result.tests = trace.tests;
+    pixels[gl_WorkGroupID.x * kTilePixels + gl_LocalInvocationIndex] = result;
+}

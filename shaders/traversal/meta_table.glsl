@@ -1,0 +1,41 @@
+// Marches the meta table: one look-up per leaf crossed, no stack, no tree.
+//
+// The ray's cell names its leaf; the leaf is tested; the ray leaves the leaf's exit box through one of the three
+// far planes into the next cell. Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table"; integer
+// stepping after Pérard-Gayot, Kalojanov, Slusallek, "GPU Ray Tracing using Irregular Grids", 2017.
+//
+// Why it ends:    leaveBox moves the cell on by at least one in one axis and never back in the others, and the loop
+//                 ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats.
+// What it costs:  per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory per
+//                 ray.
+// Ties:           of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+
+#include "lib/scene.glsl"
+#include "shared/march.h"
+
+// The closest hit, or any hit when anyHit (folded at compile time).
+Trace traverse(const Ray ray, const bool anyHit) {
+    Trace trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution));
+
+    // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
+    while (true) {
+        ++trace.steps;
+        const Leaf leaf = leaves[leafOfCell[cellIndex(cell, lattice.resolution)]];
+        for (uint i = 0u; i < leaf.triangleCount; ++i) {
+            testTriangle(ray, leaf.firstTriangle + i, trace);
+        }
+        if (anyHit && trace.hit.triangleId != kNoTriangle) {
+            return trace;
+        }
+        const BoxExit next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), cell);
+        // A triangle may reach past the box: only a hit inside it is known to be the closest.
+        if (trace.hit.t <= next.t || !isInLattice(next.cell, lattice.resolution)) {
+            return trace;
+        }
+        cell = next.cell;
+    }
+}
