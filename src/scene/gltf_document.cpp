@@ -1,0 +1,178 @@
+#include "scene/gltf_document.h"
+
+#include "scene/glb_container.h"
+#include "scene/gltf_extension.h"
+#include "scene/gltf_uri.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace metamarch {
+namespace {
+
+using Json = nlohmann::json;
+
+// The deepest path glTF 2.0 needs is about ten; below this, recursion over the JSON is harmless.
+constexpr int kMaxJsonDepth = 64;
+
+// tinygltf keeps these in 64 bits, and every other integer in 32. 2^53: what JSON promises to carry exactly.
+constexpr std::array<std::string_view, 4> kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
+constexpr std::uint64_t kMaxSize = std::uint64_t{1} << 53;
+
+constexpr std::array<std::string_view, 14> kIndexKeys = {
+    "attributes", "buffer", "bufferView", "camera", "children", "componentType", "indices",
+    "material",   "mesh",   "mode",       "nodes",  "scene",    "skin",          "joints"};
+
+template <std::size_t N>
+bool contains(const std::array<std::string_view, N>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Json parseJson(const SceneFile& file, const unsigned char* begin, const unsigned char* end) {
+    const auto keep = [&file](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth > kMaxJsonDepth)
+            file.refuse("JSON is nested more than " + std::to_string(kMaxJsonDepth) + " deep");
+        return event != Json::parse_event_t::key || parsed != "extras";
+    };
+    try {
+        Json root = Json::parse(begin, end, keep);
+        if (!root.is_object())
+            file.refuse("the JSON is not an object");
+        return root;
+    } catch (const Json::exception& failure) {
+        file.refuse(std::string("not glTF: ") + failure.what());
+    }
+}
+
+// `where` is the path so far ("accessors[3].count"), `key` the nearest enclosing name.
+void checkIntegers(const SceneFile& file, const Json& value, std::string_view key, const std::string& where) {
+    const bool isSize = contains(kSizeKeys, key);
+    if (value.is_object()) {
+        const bool namesIndices = key == "attributes";
+        for (const auto& [name, member] : value.items()) {
+            if (name != "extensions")
+                checkIntegers(file, member,
+                              namesIndices && !member.is_structured() ? key : std::string_view(name),
+                              where.empty() ? name : where + '.' + name);
+        }
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i)
+            checkIntegers(file, value[i], key, where + '[' + std::to_string(i) + ']');
+    } else if (isSize || contains(kIndexKeys, key)) {
+        const std::uint64_t limit = isSize ? kMaxSize : std::numeric_limits<std::int32_t>::max();
+        if (!value.is_number_unsigned() || value.get<std::uint64_t>() > limit)
+            file.refuse(where + ": " + value.dump() + " is not an integer from 0 to " +
+                        std::to_string(limit));
+    }
+}
+
+void checkVersion(const SceneFile& file, const Json& root) {
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
+        !(*asset)["version"].is_string())
+        file.refuse("asset.version is missing");
+    for (const char* key : {"version", "minVersion"}) {
+        const std::string version = asset->contains(key) ? (*asset)[key].get<std::string>() : "2.0";
+        if (key == std::string_view("minVersion") ? version != "2.0" : !version.starts_with("2."))
+            file.refuse("asset." + std::string(key) + ": glTF " + version + " is not supported, glTF 2.0 is");
+    }
+}
+
+std::vector<std::string> extensionNames(const Json& root, const char* key) {
+    const auto names = root.find(key);
+    return names != root.end() ? names->get<std::vector<std::string>>() : std::vector<std::string>();
+}
+
+void checkExtensions(SceneFile& file, const Json& root) {
+    for (const std::string& name : extensionNames(root, "extensionsRequired")) {
+        if (!isSupportedExtension(name))
+            file.refuse("extensionsRequired: " + name + " is not supported");
+    }
+    std::string unknown;
+    for (const std::string& name : extensionNames(root, "extensionsUsed")) {
+        if (!isSupportedExtension(name))
+            unknown += (unknown.empty() ? "" : ", ") + name;
+    }
+    if (!unknown.empty())
+        file.warn("extensionsUsed: ignoring " + unknown);
+}
+
+// Makes every buffer's URI one that tinygltf reads as intended, or refuses it.
+void checkBufferUris(const SceneFile& file, Json& root) {
+    const auto buffers = root.find("buffers");
+    if (buffers == root.end() || !buffers->is_array())
+        return;
+    for (std::size_t i = 0; i < buffers->size(); ++i) {
+        Json& buffer = (*buffers)[i];
+        if (buffer.is_object() && buffer.contains("uri"))
+            buffer["uri"] =
+                checkedBufferUri(file, "buffer " + std::to_string(i), buffer["uri"].get<std::string>());
+    }
+}
+
+// Elements that must be objects; a member of a wrong type would otherwise throw deep inside a library,
+// unnamed.
+void checkObjects(const SceneFile& file, const Json& root) {
+    for (const char* key :
+         {"accessors", "buffers", "bufferViews", "cameras", "materials", "meshes", "nodes", "scenes"}) {
+        const auto elements = root.find(key);
+        if (elements == root.end())
+            continue;
+        if (!elements->is_array() || !std::all_of(elements->begin(), elements->end(),
+                                                  [](const Json& element) { return element.is_object(); }))
+            file.refuse(std::string(key) + " is not an array of objects");
+    }
+}
+
+std::string checkedJson(SceneFile& file, Json root) {
+    checkVersion(file, root);
+    checkExtensions(file, root);
+    for (const char* unread : {"animations", "extensions", "images", "samplers", "textures"})
+        root.erase(unread);
+    checkObjects(file, root);
+    checkIntegers(file, root, "", "");
+    checkBufferUris(file, root);
+    return root.dump();
+}
+
+} // namespace
+
+tinygltf::Model readGltf(SceneFile& file) {
+    std::vector<unsigned char> bytes = file.read();
+    const bool binary = isGlb(bytes);
+    const ByteRange json = binary ? glbJson(file, bytes) : ByteRange{0, bytes.size()};
+    if (!binary && bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        file.refuse("a .gltf of more than 4 GiB");
+
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(readOnlyBeside(file));
+    tinygltf::Model model;
+    std::string errors;
+    std::string warnings;
+    bool parsed = false;
+    try {
+        const std::string checked =
+            checkedJson(file, parseJson(file, bytes.data() + json.begin, bytes.data() + json.end));
+        const std::string folder = file.path().parent_path().string();
+        if (binary) {
+            replaceGlbJson(file, bytes, json, checked);
+            parsed = parser.LoadBinaryFromMemory(&model, &errors, &warnings, bytes.data(),
+                                                 static_cast<unsigned int>(bytes.size()), folder);
+        } else {
+            parsed = parser.LoadASCIIFromString(&model, &errors, &warnings, checked.data(),
+                                                static_cast<unsigned int>(checked.size()), folder);
+        }
+    } catch (const Json::exception& failure) {
+        file.refuse(std::string("not glTF: ") + failure.what());
+    }
+    // tinygltf goes on after some errors, for one by dropping the primitive it was in.
+    if (!parsed || !errors.empty())
+        file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
+    return model;
+}
+
+} // namespace metamarch

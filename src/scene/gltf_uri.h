@@ -1,0 +1,19 @@
+// URIs of glTF buffers: what they may name, and the only files tinygltf gets to see.
+#pragma once
+#include "scene/scene_file.h"
+
+#include <tiny_gltf.h>
+
+#include <string>
+
+namespace metamarch {
+
+// Returns the URI in a form tinygltf reads. Throws Error(sceneRefused), starting with `label`, for another
+// scheme than base64 data, and for a file that is missing or not in the scene's folder.
+std::string checkedBufferUri(const SceneFile& file, const std::string& label, const std::string& uri);
+
+// File access for tinygltf that sees nothing outside the scene's folder and writes nothing. `file` must
+// outlive it.
+tinygltf::FsCallbacks readOnlyBeside(SceneFile& file);
+
+} // namespace metamarch

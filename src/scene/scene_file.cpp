@@ -1,0 +1,71 @@
+#include "scene/scene_file.h"
+
+#include "error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+namespace metamarch {
+namespace {
+
+// Libraries' messages and names in hostile files bring line breaks and terminal escapes along.
+std::string oneLine(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
+} // namespace
+
+SceneFile::SceneFile(std::filesystem::path path) : path_(std::move(path)) {
+    std::error_code failure;
+    if (!std::filesystem::exists(path_, failure))
+        refuse("no such file");
+    // Devices and pipes would be read for ever.
+    if (!std::filesystem::is_regular_file(path_, failure))
+        refuse("not a regular file");
+    if (std::filesystem::file_size(path_, failure) == 0)
+        refuse("the file is empty");
+    folder_ = std::filesystem::canonical(path_, failure).parent_path();
+    if (failure)
+        refuse(failure.message());
+}
+
+std::vector<unsigned char> SceneFile::read() const {
+    std::ifstream stream(path_, std::ios::binary | std::ios::ate);
+    if (!stream)
+        refuse("cannot be opened for reading");
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
+    stream.seekg(0);
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+        refuse("cannot be read to its end");
+    return bytes;
+}
+
+bool SceneFile::isBeside(const std::filesystem::path& other) const {
+    std::error_code failure;
+    const std::filesystem::path resolved = std::filesystem::weakly_canonical(other, failure);
+    if (failure)
+        return false;
+    return std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end()).first ==
+           folder_.end();
+}
+
+void SceneFile::refuse(const std::string& what) const { throw Error(ExitCode::sceneRefused, line(what)); }
+
+void SceneFile::refuseSize(const std::string& what) const { throw Error(ExitCode::outOfMemory, line(what)); }
+
+void SceneFile::warn(const std::string& what) {
+    if (warned_.insert(what).second)
+        warnings_.push_back(line(what));
+}
+
+std::string SceneFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
+
+std::string elementName(const char* kind, const std::string& name, std::size_t index) {
+    return std::string(kind) + ' ' + (name.empty() ? std::to_string(index) : '\'' + name + '\'');
+}
+
+} // namespace metamarch

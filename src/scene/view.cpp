@@ -1,0 +1,110 @@
+#include "scene/view.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// From where an unframed scene is seen: towards +Z, the front in glTF, turned to the right and up.
+constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
+
+// Half the picture's height at distance 1, of a perspective camera.
+float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
+
+} // namespace
+
+const SceneCamera& selectCamera(const Scene& scene, const std::string& selection) {
+    std::size_t index = 0;
+    const char* const end = selection.data() + selection.size();
+    const auto [stop, error] = std::from_chars(selection.data(), end, index);
+    if (error == std::errc() && stop == end && index < scene.cameras.size()) {
+        return scene.cameras[index];
+    }
+    for (const SceneCamera& camera : scene.cameras) {
+        if (camera.name == selection) {
+            return camera;
+        }
+    }
+    if (scene.cameras.empty()) {
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--camera {}: the scene has no camera; use --eye and --target", selection));
+    }
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        names.push_back(fmt::format("{} '{}'", i, scene.cameras[i].name));
+    }
+    throw Error(ExitCode::badArguments, fmt::format("--camera {}: no such camera; the scene has {}", selection,
+                                                    fmt::join(names, ", ")));
+}
+
+SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {
+    // In double precision: the difference of two far away points, and the products of tiny or huge vectors.
+    const glm::dvec3 along = glm::dvec3(target) - glm::dvec3(eye);
+    const glm::dvec3 right = glm::cross(along, glm::dvec3(up));
+    if (glm::length(along) == 0.0) {
+        throw Error(ExitCode::badArguments, "--eye and --target are the same point");
+    }
+    if (glm::length(right) <= 1e-6 * glm::length(along) * glm::length(glm::dvec3(up))) {
+        throw Error(ExitCode::badArguments, "--up is zero or along the view; choose another");
+    }
+    SceneCamera camera;
+    camera.name = "eye";
+    camera.eye = eye;
+    camera.forward = glm::vec3(glm::normalize(along));
+    camera.up = glm::vec3(glm::normalize(glm::cross(right, along)));
+    camera.verticalFov = kDefaultVerticalFov;
+    return camera;
+}
+
+SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const float aspect) {
+    const bool empty = !(bounds.lo.x <= bounds.hi.x);
+    const glm::vec3 lo = empty ? glm::vec3(-0.5f) : bounds.lo;
+    const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
+    const glm::vec3 center = 0.5f * lo + 0.5f * hi;
+    const glm::vec3 size = hi - lo;
+    const float longest = std::max({size.x, size.y, size.z, 1e-30f});
+    const glm::vec3 direction = glm::normalize(kFramingDirection);
+    SceneCamera camera = lookAt(center + direction * longest, center, {0.0f, 1.0f, 0.0f});
+    camera.name = "framed";
+    camera.verticalFov = verticalFov;
+
+    // Every corner of the box within the picture: the farthest distance that one of them asks for.
+    const glm::vec3 right = glm::cross(camera.forward, camera.up);
+    const float slopeUp = halfHeight(verticalFov);
+    const float slopeRight = slopeUp * aspect;
+    float distance = 0.0f;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec3 corner =
+            0.5f * size * glm::vec3(i & 1u ? 1.0f : -1.0f, i & 2u ? 1.0f : -1.0f, i & 4u ? 1.0f : -1.0f);
+        const float nearer = -glm::dot(corner, camera.forward);
+        distance = std::max({distance, nearer + std::abs(glm::dot(corner, camera.up)) / slopeUp,
+                             nearer + std::abs(glm::dot(corner, right)) / slopeRight});
+    }
+    constexpr float kBorder = 1.05f;
+    camera.eye = center - camera.forward * (std::max(distance, 1e-3f * longest) * kBorder);
+    return camera;
+}
+
+Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const std::uint32_t height) {
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const glm::vec3 right = glm::cross(camera.forward, camera.up);
+    Camera result{};
+    result.eye = camera.eye;
+    result.forward = camera.forward;
+    result.width = width;
+    result.height = height;
+    const bool perspective = camera.projection == SceneCamera::Projection::perspective;
+    const float half = perspective ? halfHeight(camera.verticalFov) : 0.5f * camera.verticalExtent;
+    (perspective ? result.dirRight : result.eyeRight) = right * (half * aspect);
+    (perspective ? result.dirDown : result.eyeDown) = camera.up * -half;
+    return result;
+}
+
+} // namespace metamarch
