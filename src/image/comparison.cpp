@@ -1,0 +1,162 @@
+#include "image/comparison.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace metamarch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct ChannelPair {
+    std::size_t inA;
+    std::size_t inB;
+};
+
+// a - b where that is a number; see ChannelComparison for the rest. One NaN gives NaN.
+double signedDifference(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b)))
+        return 0.0;
+    return static_cast<double>(a) - static_cast<double>(b);
+}
+
+double absoluteDifference(double difference) {
+    return std::isnan(difference) ? kInfinity : std::abs(difference);
+}
+
+double relativeSquare(double absolute, float reference) {
+    if (absolute == 0.0 || std::isinf(absolute))
+        return absolute;
+    const double squared = static_cast<double>(reference) * static_cast<double>(reference);
+    return absolute * absolute / (squared + kRelativeMseFloor);
+}
+
+// Sums of one channel on the way to its ChannelComparison.
+class ChannelSums {
+  public:
+    // Returns the absolute difference.
+    double add(float a, float b, std::size_t pixel) {
+        const double difference = signedDifference(a, b);
+        const double absolute = absoluteDifference(difference);
+        sum_ += difference;
+        squares_ += absolute * absolute;
+        relativeSquares_ += relativeSquare(absolute, b);
+        if (absolute > worst_) {
+            worst_ = absolute;
+            worstPixel_ = pixel;
+        }
+        return absolute;
+    }
+
+    void finish(ChannelComparison& channel, const Image& a, const Image& b, ChannelPair pair) const {
+        const double count = static_cast<double>(a.pixelCount());
+        channel.rmse = std::sqrt(squares_ / count);
+        channel.relativeMse = relativeSquares_ / count;
+        channel.meanDifference = sum_ / count;
+        channel.maxDifference = worst_;
+        const std::size_t width = static_cast<std::size_t>(a.width);
+        channel.worstX = static_cast<int>(worstPixel_ % width);
+        channel.worstY = static_cast<int>(worstPixel_ / width);
+        channel.worstA = a.at(channel.worstX, channel.worstY, pair.inA);
+        channel.worstB = b.at(channel.worstX, channel.worstY, pair.inB);
+    }
+
+  private:
+    double sum_ = 0.0;
+    double squares_ = 0.0;
+    double relativeSquares_ = 0.0;
+    double worst_ = 0.0;
+    std::size_t worstPixel_ = 0;
+};
+
+std::vector<ChannelPair> commonChannels(const Image& a, const Image& b) {
+    std::vector<ChannelPair> pairs;
+    for (std::size_t inA = 0; inA < a.channels.size(); ++inA)
+        if (const auto inB = b.findChannel(a.channels[inA]))
+            pairs.push_back({inA, *inB});
+    return pairs;
+}
+
+void addMissingChannels(const Image& from, const Image& in, const char* which, Comparison& comparison) {
+    for (const std::string& name : from.channels)
+        if (isJudged(name) && !in.findChannel(name))
+            comparison.mismatches.push_back("channel " + name + " is only in the " + which + " picture");
+}
+
+std::string sizeOf(const Image& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+void compareChannels(const Image& a, const Image& b, double maxAbs, Comparison& comparison) {
+    const std::size_t pixels = a.pixelCount();
+    const std::vector<ChannelPair> pairs = commonChannels(a, b);
+    std::vector<bool> failing(pixels, false);
+    for (const ChannelPair pair : pairs) {
+        ChannelComparison& channel = comparison.channels.emplace_back();
+        channel.name = a.channels[pair.inA];
+        channel.judged = isJudged(channel.name);
+        ChannelSums sums;
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            const float valueA = a.pixels[pixel * a.channels.size() + pair.inA];
+            const float valueB = b.pixels[pixel * b.channels.size() + pair.inB];
+            if (sums.add(valueA, valueB, pixel) > maxAbs) {
+                ++channel.failingPixels;
+                comparison.failingPixels += channel.judged && !failing[pixel];
+                failing[pixel] = failing[pixel] || channel.judged;
+            }
+        }
+        sums.finish(channel, a, b, pair);
+        channel.failingPercent =
+            100.0 * static_cast<double>(channel.failingPixels) / static_cast<double>(pixels);
+    }
+}
+
+} // namespace
+
+bool isJudged(std::string_view channel) { return channel != "steps" && channel != "tests"; }
+
+Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds& bounds) {
+    Comparison comparison;
+    addMissingChannels(a, b, "first", comparison);
+    addMissingChannels(b, a, "second", comparison);
+    if (a.width != b.width || a.height != b.height) {
+        comparison.mismatches.push_back("the sizes are " + sizeOf(a) + " and " + sizeOf(b));
+        return comparison;
+    }
+
+    comparison.pixels = a.pixelCount();
+    compareChannels(a, b, bounds.maxAbs, comparison);
+    bool anyJudged = false;
+    for (const ChannelComparison& channel : comparison.channels)
+        anyJudged = anyJudged || channel.judged;
+    if (!anyJudged)
+        comparison.mismatches.emplace_back("they have no channel in common that is judged");
+    comparison.failingPercent =
+        100.0 * static_cast<double>(comparison.failingPixels) / static_cast<double>(comparison.pixels);
+    comparison.passed = comparison.mismatches.empty() && comparison.failingPercent <= bounds.maxFailPercent;
+    return comparison;
+}
+
+Image differenceImage(const Image& a, const Image& b) {
+    if (a.width != b.width || a.height != b.height)
+        throw std::invalid_argument("differenceImage: the sizes differ");
+    const std::vector<ChannelPair> pairs = commonChannels(a, b);
+    std::vector<std::string> names;
+    names.reserve(pairs.size());
+    for (const ChannelPair pair : pairs)
+        names.push_back(a.channels[pair.inA]);
+
+    Image difference(a.width, a.height, names);
+    std::size_t next = 0;
+    for (std::size_t pixel = 0; pixel < a.pixelCount(); ++pixel)
+        for (const ChannelPair pair : pairs) {
+            const float valueA = a.pixels[pixel * a.channels.size() + pair.inA];
+            const float valueB = b.pixels[pixel * b.channels.size() + pair.inB];
+            difference.pixels[next++] =
+                static_cast<float>(absoluteDifference(signedDifference(valueA, valueB)));
+        }
+    return difference;
+}
+
+} // namespace metamarch

@@ -1,0 +1,59 @@
+// How far apart two pictures are, in numbers.
+#pragma once
+#include "image/image.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace metamarch {
+
+struct ComparisonBounds {
+    double maxAbs = 0.0;         // a pixel fails when one of its judged channels differs by more
+    double maxFailPercent = 0.0; // the pictures differ when more of the pixels fail
+};
+
+// Over all pixels, with b as the reference. Equal values, equal infinities and two NaNs differ by 0; one
+// infinity, two opposite ones or one NaN differ by infinity, so they can neither cancel nor vanish.
+struct ChannelComparison {
+    std::string name;
+    bool judged = true;
+    double rmse = 0.0;
+    double relativeMse = 0.0; // mean of (a - b)^2 / (b^2 + 0.01): see kRelativeMseFloor
+    double meanDifference =
+        0.0; // mean of a - b: tells a bias from noise; NaN when infinities of both signs meet
+    double maxDifference = 0.0; // largest |a - b|, found first at pixel worstX, worstY
+    int worstX = 0;
+    int worstY = 0;
+    float worstA = 0.0f;
+    float worstB = 0.0f;
+    std::uint64_t failingPixels = 0;
+    double failingPercent = 0.0;
+};
+
+struct Comparison {
+    bool passed = false;
+    std::vector<std::string>
+        mismatches; // why the pictures cannot be equal: another size, a channel in only one
+    std::vector<ChannelComparison>
+        channels; // the ones in both, in the order of a; none when the sizes differ
+    std::uint64_t pixels = 0;
+    std::uint64_t failingPixels = 0; // a pixel counts once, however many of its channels fail
+    double failingPercent = 0.0;
+};
+
+// Relative error after Rousselle, Knaus and Zwicker, "Adaptive Sampling and Reconstruction using Greedy Error
+// Minimization", 2011. The floor keeps nearly black pixels from deciding alone.
+inline constexpr double kRelativeMseFloor = 0.01;
+
+// `steps` and `tests` count the work of a traversal. They are no part of the picture: reported, never judged,
+// and one picture may lack them.
+bool isJudged(std::string_view channel);
+
+Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds& bounds = {});
+
+// |a - b| of every channel in both; the sizes must be equal.
+Image differenceImage(const Image& a, const Image& b);
+
+} // namespace metamarch

@@ -1,0 +1,131 @@
+#include "image/image_file.h"
+
+#include "error.h"
+#include "image/output_file.h"
+#include "image/tone_mapping.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <stdexcept>
+
+namespace metamarch {
+namespace {
+
+enum class Format { exr, png };
+
+// Lets OpenImageIO write into an OutputFile: its own file classes lose a full disk that shows at the last
+// flush.
+class OutputFileProxy final : public OIIO::Filesystem::IOProxy {
+  public:
+    explicit OutputFileProxy(OutputFile& output) : IOProxy("", Write), file_(output) {}
+
+    const char* proxytype() const override { return "metamarch"; }
+
+    std::size_t write(const void* data, std::size_t size) override {
+        const std::size_t written = pwrite(data, size, m_pos);
+        m_pos += static_cast<std::int64_t>(written);
+        return written;
+    }
+
+    std::size_t pwrite(const void* data, std::size_t size, std::int64_t offset) override {
+        return file_.write(static_cast<std::uint64_t>(offset), data, size) ? size : 0;
+    }
+
+  private:
+    OutputFile& file_;
+};
+
+Format formatOf(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    if (ending == ".exr")
+        return Format::exr;
+    if (ending == ".png")
+        return Format::png;
+    throw Error(ExitCode::badArguments, path.string() + ": a picture is written as .exr or .png");
+}
+
+std::string oneLine(std::string text) {
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+        text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+void writePixels(const OIIO::ImageSpec& spec, const char* format, const OIIO::TypeDesc& type,
+                 const void* pixels, const std::filesystem::path& path) {
+    OutputFile file(path);
+    OutputFileProxy proxy(file);
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format, &proxy);
+    bool done = output && output->open(path.string(), spec);
+    done = done && output->write_image(type, pixels);
+    done = output && output->close() && done;
+    if (!done && !file.failed()) {
+        const std::string reason = output ? output->geterror() : OIIO::geterror();
+        throw Error(ExitCode::outputNotWritable, "cannot write " + path.string() + ": " + oneLine(reason));
+    }
+    file.commit();
+}
+
+void writeExr(const Image& image, const std::filesystem::path& path) {
+    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeFloat);
+    spec.channelnames = image.channels;
+    spec.attribute("compression", "zip");
+    for (const auto& [name, value] : image.attributes)
+        spec.attribute(name, value);
+    writePixels(spec, "exr", OIIO::TypeFloat, image.pixels.data(), path);
+}
+
+// PNG stores colours that are not multiplied by alpha. Where alpha is 0 there is nothing to divide by: the
+// colour stays.
+float unassociated(float color, float alpha) { return alpha > 0.0f && alpha < 1.0f ? color / alpha : color; }
+
+void writePng(const Image& image, const std::filesystem::path& path) {
+    const auto red = image.findChannel("R");
+    const auto green = image.findChannel("G");
+    const auto blue = image.findChannel("B");
+    const auto alpha = image.findChannel("A");
+    if (!red || !green || !blue)
+        throw Error(ExitCode::badArguments,
+                    path.string() + ": a PNG needs the channels R, G and B; write an .exr");
+
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(image.pixelCount() * 4);
+    for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
+        const float* values = &image.pixels[pixel * image.channels.size()];
+        const float coverage = alpha ? values[*alpha] : 1.0f;
+        for (const std::size_t color : {*red, *green, *blue})
+            bytes.push_back(toSrgb8(unassociated(values[color], coverage)));
+        if (alpha)
+            bytes.push_back(toLinear8(coverage));
+    }
+
+    OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3, OIIO::TypeUInt8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    writePixels(spec, "png", OIIO::TypeUInt8, bytes.data(), path);
+}
+
+} // namespace
+
+void writeImage(const Image& image, const std::filesystem::path& path) {
+    if (image.width <= 0 || image.height <= 0 || image.channels.empty() ||
+        image.pixels.size() != image.pixelCount() * image.channels.size())
+        throw std::invalid_argument("writeImage: size, channels and pixels do not fit together");
+    if (formatOf(path) == Format::exr)
+        writeExr(image, path);
+    else
+        writePng(image, path);
+}
+
+void checkWritable(const std::filesystem::path& path) {
+    formatOf(path);
+    const OutputFile probe(path);
+}
+
+} // namespace metamarch
