@@ -1,0 +1,98 @@
+#include "vulkan/buffer.h"
+
+#include "error.h"
+#include "vulkan/byte_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace metamarch::vulkan {
+namespace {
+
+constexpr uint64_t kLeastSize = 16; // bytes in place of 0, which Vulkan refuses
+
+vk::BufferUsageFlags usageOf(BufferUse use) {
+    using Usage = vk::BufferUsageFlagBits;
+    switch (use) {
+    case BufferUse::upload:
+        return Usage::eTransferSrc;
+    case BufferUse::readback:
+        return Usage::eTransferDst;
+    case BufferUse::storage:
+        break;
+    }
+    return Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+}
+
+// What the memory should have, the best first. Vulkan guarantees that the last one exists.
+std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
+    using Memory = vk::MemoryPropertyFlagBits;
+    const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
+    switch (use) {
+    case BufferUse::upload:
+        return {host};
+    case BufferUse::readback:
+        return {host | Memory::eHostCached, host};
+    case BufferUse::storage:
+        break;
+    }
+    return {Memory::eDeviceLocal};
+}
+
+// Of equals Vulkan lists the faster first.
+uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse use) {
+    const vk::PhysicalDeviceMemoryProperties& memory = device.memoryProperties();
+    for (const vk::MemoryPropertyFlags wish : memoryWishes(use)) {
+        for (uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+            if ((allowedTypes & (1u << type)) != 0 &&
+                (memory.memoryTypes[type].propertyFlags & wish) == wish) {
+                return type;
+            }
+        }
+    }
+    throw Error(ExitCode::noDevice, fmt::format("{}: no suitable memory for buffers", device.name()));
+}
+
+[[noreturn]] void refuseSize(const Device& device, const std::string& buffer, uint64_t size,
+                             const std::string& reason) {
+    throw Error(ExitCode::outOfMemory,
+                fmt::format("{}: buffer '{}' of {} {}", device.name(), buffer, byteText(size), reason));
+}
+
+} // namespace
+
+Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string name)
+    : name_(std::move(name)), size_(size) {
+    const uint64_t largest = device.report().maxMemoryAllocationSize;
+    if (size > largest) {
+        refuseSize(device, name_, size,
+                   fmt::format("is over maxMemoryAllocationSize, {}", byteText(largest)));
+    }
+    try {
+        buffer_ = {device.handle(), vk::BufferCreateInfo({}, size == 0 ? kLeastSize : size, usageOf(use))};
+        const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
+        const uint32_t type = chooseMemoryType(device, needs.memoryTypeBits, use);
+        const uint64_t heapSize =
+            device.memoryProperties().memoryHeaps[device.memoryProperties().memoryTypes[type].heapIndex].size;
+        if (needs.size > heapSize) {
+            refuseSize(device, name_, size, fmt::format("is over the memory heap, {}", byteText(heapSize)));
+        }
+        memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type)};
+        buffer_.bindMemory(*memory_, 0);
+        if (use != BufferUse::storage) {
+            mapped_ = {static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE)), size};
+        }
+    } catch (const vk::OutOfDeviceMemoryError&) {
+        refuseSize(device, name_, size, "does not fit into device memory");
+    } catch (const vk::OutOfHostMemoryError&) {
+        refuseSize(device, name_, size, "does not fit into host memory");
+    } catch (const vk::MemoryMapFailedError&) {
+        refuseSize(device, name_, size, "cannot be mapped into host memory");
+    }
+}
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,41 @@
+// One buffer and the memory it lives in.
+#pragma once
+#include "vulkan/device.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace metamarch::vulkan {
+
+enum class BufferUse {
+    storage,  // device-local; shaders read and write it, transfers fill and read it
+    upload,   // host memory the device copies from; mapped
+    readback, // host memory the device copies to; mapped, cached where the device can
+};
+
+// Move-only; the name appears in error messages.
+class Buffer {
+  public:
+    // `size` in bytes; 0 is allowed (an empty scene has empty tables) and allocates the least possible.
+    // Throws Error(outOfMemory), naming buffer and size, when the device cannot hold it. The limit on what a
+    // shader can see of it (maxStorageBufferRange) is checked where it is bound: ComputePipeline::bind.
+    Buffer(const Device& device, BufferUse use, uint64_t size, std::string name);
+
+    const std::string& name() const { return name_; }
+    uint64_t size() const { return size_; } // as asked for
+    vk::Buffer handle() const { return *buffer_; }
+    // The bytes as the host sees them; empty for storage. Reading is valid after a Submission has been waited
+    // for.
+    std::span<std::byte> mapped() const { return mapped_; }
+
+  private:
+    std::string name_;
+    uint64_t size_;
+    vk::raii::Buffer buffer_ = nullptr;
+    vk::raii::DeviceMemory memory_ = nullptr; // freeing it unmaps it
+    std::span<std::byte> mapped_;
+};
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,56 @@
+// One compute kernel with its bindings: all in descriptor set 0, all storage buffers.
+#pragma once
+#include "vulkan/buffer.h"
+#include "vulkan/device.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace metamarch::vulkan {
+
+// Everything a ComputePipeline is made from.
+struct KernelInfo {
+    std::string name;                      // for error messages
+    std::span<const uint32_t> spirv;       // entry point "main"; needed only while the pipeline is made
+    std::vector<uint32_t> storageBindings; // binding numbers of set 0, in any order
+    uint32_t pushConstantSize = 0;         // bytes; 0: none
+    std::map<uint32_t, uint32_t>
+        specialization; // constant_id to its 32 bits (std::bit_cast a float or an int)
+};
+
+// Move-only. Drivers may compile at the first dispatch only (lavapipe does): warm up before timing.
+class ComputePipeline {
+  public:
+    // Throws Error(noDevice) when the device allows fewer storage buffers or push constants than the kernel
+    // wants, or cannot compile it.
+    ComputePipeline(const Device& device, const KernelInfo& info);
+
+    // Makes the whole of `buffer` visible at `binding`. Not while a Submission that uses this pipeline runs;
+    // the buffer must live until the last such submission has ended. Throws Error(outOfMemory) when the
+    // buffer is larger than the device lets a shader see.
+    void bind(uint32_t binding, const Buffer& buffer);
+
+    const std::string& name() const { return name_; }
+    uint32_t pushConstantSize() const { return pushConstantSize_; }
+    vk::Pipeline handle() const { return *pipeline_; }
+    vk::PipelineLayout layout() const { return *pipelineLayout_; }
+    vk::DescriptorSet descriptorSet() const { return *descriptorSet_; }
+
+  private:
+    void createDescriptorSet(const std::vector<uint32_t>& storageBindings);
+    void createPipeline(const KernelInfo& info);
+
+    const Device* device_;
+    std::string name_;
+    uint32_t pushConstantSize_;
+    vk::raii::DescriptorSetLayout descriptorSetLayout_ = nullptr;
+    vk::raii::DescriptorPool descriptorPool_ = nullptr;
+    vk::raii::DescriptorSet descriptorSet_ = nullptr;
+    vk::raii::PipelineLayout pipelineLayout_ = nullptr;
+    vk::raii::Pipeline pipeline_ = nullptr;
+};
+
+} // namespace metamarch::vulkan

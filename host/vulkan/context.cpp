@@ -1,0 +1,137 @@
+#include "vulkan/context.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace metamarch::vulkan {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+std::atomic<uint32_t> messageCount = 0;
+
+VKAPI_ATTR VkBool32 VKAPI_CALL countMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                            VkDebugUtilsMessageTypeFlagsEXT,
+                                            const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    ++messageCount;
+    std::string line = data->pMessage == nullptr ? "" : data->pMessage;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    fmt::print(stderr, "validation: {}\n", line);
+    return VK_FALSE; // the call goes on
+}
+
+// Type "general" is left out: there the loader talks about broken drivers of other devices.
+vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return {{},
+            Severity::eWarning | Severity::eError,
+            Type::eValidation | Type::ePerformance,
+            &countMessage,
+            nullptr};
+}
+
+bool validationWanted() {
+    const char* const value = std::getenv("METAMARCH_VALIDATION");
+    return value != nullptr && std::string_view(value) == "1";
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw Error(ExitCode::noDevice,
+                what +
+                    ": install a Vulkan driver (Debian: mesa-vulkan-drivers, which also runs without a GPU)");
+}
+
+vk::raii::Context openLoader() {
+    try {
+        return vk::raii::Context();
+    } catch (const std::runtime_error&) {
+        refuse("no Vulkan loader (libvulkan.so)");
+    }
+}
+
+bool layerPresent(const vk::raii::Context& loader) {
+    const auto layers = loader.enumerateInstanceLayerProperties();
+    return std::any_of(layers.begin(), layers.end(), [](const vk::LayerProperties& layer) {
+        return std::strcmp(layer.layerName, kValidationLayer) == 0;
+    });
+}
+
+bool extensionPresent(const vk::raii::Context& loader, const char* name) {
+    const auto extensions = loader.enumerateInstanceExtensionProperties();
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [name](const vk::ExtensionProperties& extension) {
+                           return std::strcmp(extension.extensionName, name) == 0;
+                       });
+}
+
+vk::raii::Instance createInstance(const vk::raii::Context& loader) {
+    std::vector<const char*> layers;
+    std::vector<const char*> extensions;
+    vk::InstanceCreateFlags flags;
+    // Without it the loader hides the drivers that translate to another API (MoltenVK).
+    if (extensionPresent(loader, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
+        extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+        flags |= vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+    }
+
+    const vk::ApplicationInfo application("metamarch", METAMARCH_VERSION, "metamarch", METAMARCH_VERSION,
+                                          kApiVersion);
+    // The messenger in the chain hears what happens while the instance itself is made and destroyed.
+    const auto synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+    const vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
+    const vk::ValidationFeaturesEXT features(synchronization, {}, &messenger);
+    const void* chain = nullptr;
+    if (validationWanted()) {
+        if (!layerPresent(loader)) {
+            throw Error(ExitCode::noDevice,
+                        fmt::format("METAMARCH_VALIDATION=1, but {} is not installed (Debian: "
+                                    "vulkan-validationlayers)",
+                                    kValidationLayer));
+        }
+        layers.push_back(kValidationLayer);
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+        chain = &features;
+    }
+
+    try {
+        return {loader, vk::InstanceCreateInfo(flags, &application, layers, extensions, chain)};
+    } catch (const vk::IncompatibleDriverError&) {
+        refuse("no Vulkan driver");
+    } catch (const vk::SystemError& error) {
+        refuse(fmt::format("no Vulkan instance ({})", error.what()));
+    }
+}
+
+std::vector<vk::raii::PhysicalDevice> findPhysicalDevices(const vk::raii::Instance& instance) {
+    try {
+        auto devices = instance.enumeratePhysicalDevices();
+        if (!devices.empty()) {
+            return devices;
+        }
+    } catch (const vk::InitializationFailedError&) {
+        // how some loaders say that there is none
+    }
+    refuse("no Vulkan device");
+}
+
+} // namespace
+
+Context::Context()
+    : loader_(openLoader()), instance_(createInstance(loader_)),
+      messenger_(validationWanted() ? vk::raii::DebugUtilsMessengerEXT(instance_, messengerInfo()) : nullptr),
+      physicalDevices_(findPhysicalDevices(instance_)) {}
+
+uint32_t validationMessages() { return messageCount; }
+
+} // namespace metamarch::vulkan

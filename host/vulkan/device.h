@@ -1,0 +1,43 @@
+// An opened device: one compute queue, one command pool, one pipeline cache.
+#pragma once
+#include "vulkan/context.h"
+#include "vulkan/device_report.h"
+#include "vulkan/pipeline_cache.h"
+
+#include <cstdint>
+#include <string>
+
+namespace metamarch::vulkan {
+
+// Opens the device `selection` names (see chooseDevice; empty: the best one) without any optional feature.
+// Must outlive every Buffer, ComputePipeline and Submission made from it, which point to it: it neither
+// copies nor moves. To be used by one thread at a time. Throws Error(noDevice).
+class Device {
+  public:
+    explicit Device(const Context& context, const std::string& selection = "");
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    const DeviceReport& report() const { return report_; }
+    const std::string& name() const { return report_.name; }
+    // Nanoseconds per tick of a timestamp; 0 when the queue has none.
+    float timestampPeriod() const { return report_.timestampValidBits == 0 ? 0.0f : report_.timestampPeriod; }
+
+    const vk::raii::Device& handle() const { return device_; }
+    const vk::raii::Queue& queue() const { return queue_; }
+    const vk::raii::CommandPool& commandPool() const { return commandPool_; }
+    const vk::raii::PipelineCache& pipelineCache() const { return pipelineCache_.handle(); }
+    const vk::PhysicalDeviceMemoryProperties& memoryProperties() const { return memoryProperties_; }
+
+  private:
+    Device(const Context& context, DeviceReport report);
+
+    DeviceReport report_;
+    vk::PhysicalDeviceMemoryProperties memoryProperties_;
+    vk::raii::Device device_;
+    vk::raii::Queue queue_;
+    vk::raii::CommandPool commandPool_;
+    PipelineCache pipelineCache_;
+};
+
+} // namespace metamarch::vulkan

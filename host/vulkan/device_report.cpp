@@ -1,0 +1,153 @@
+#include "vulkan/device_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace metamarch::vulkan {
+namespace {
+
+// What every kernel may count on.
+constexpr uint32_t kWorkGroupSize = 64;      // invocations, all along x
+constexpr uint32_t kStorageBuffers = 8;      // per kernel
+constexpr uint32_t kPushConstantBytes = 128; // the least Vulkan guarantees
+
+DeviceType typeOf(vk::PhysicalDeviceType type) {
+    switch (type) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+        return DeviceType::discrete;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+        return DeviceType::integrated;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+        return DeviceType::virtualGpu;
+    case vk::PhysicalDeviceType::eCpu:
+        return DeviceType::cpu;
+    default:
+        return DeviceType::other;
+    }
+}
+
+void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
+    report.timestampPeriod = limits.timestampPeriod;
+    report.maxStorageBufferRange = limits.maxStorageBufferRange;
+    report.maxComputeWorkGroupCount = limits.maxComputeWorkGroupCount;
+    report.maxComputeWorkGroupInvocations = limits.maxComputeWorkGroupInvocations;
+    report.maxComputeWorkGroupSizeX = limits.maxComputeWorkGroupSize[0];
+    report.maxPerStageDescriptorStorageBuffers = limits.maxPerStageDescriptorStorageBuffers;
+    report.maxPushConstantsSize = limits.maxPushConstantsSize;
+}
+
+// A family that cannot draw comes first: on GPUs that have one its work runs beside the desktop's.
+void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
+    const auto families = physicalDevice.getQueueFamilyProperties();
+    for (uint32_t family = 0; family < families.size(); ++family) {
+        const vk::QueueFlags flags = families[family].queueFlags;
+        if (!(flags & vk::QueueFlagBits::eCompute)) {
+            continue;
+        }
+        const bool computeOnly = !(flags & vk::QueueFlagBits::eGraphics);
+        if (computeOnly || !report.computeQueueFamily) {
+            report.computeQueueFamily = family;
+            report.timestampValidBits = families[family].timestampValidBits;
+        }
+        if (computeOnly) {
+            return;
+        }
+    }
+}
+
+void addHeap(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
+    const auto memory = physicalDevice.getMemoryProperties();
+    for (uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+        if (memory.memoryHeaps[heap].flags & vk::MemoryHeapFlagBits::eDeviceLocal) {
+            report.deviceLocalHeapSize = std::max(report.deviceLocalHeapSize, memory.memoryHeaps[heap].size);
+        }
+    }
+}
+
+// Only a Vulkan 1.2 device can be asked for these.
+void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
+    const auto chain =
+        physicalDevice
+            .getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties,
+                            vk::PhysicalDeviceSubgroupProperties, vk::PhysicalDeviceDriverProperties>();
+    const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
+    report.driver = driver.driverName.data();
+    report.driverInfo = driver.driverInfo.data();
+    report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
+    report.maxMemoryAllocationSize =
+        chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
+}
+
+DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32_t index) {
+    const vk::PhysicalDeviceProperties properties = physicalDevice.getProperties();
+    DeviceReport report;
+    report.index = index;
+    report.name = properties.deviceName.data();
+    report.apiVersion = properties.apiVersion;
+    report.type = typeOf(properties.deviceType);
+    addLimits(report, properties.limits);
+    addQueueFamily(report, physicalDevice);
+    addHeap(report, physicalDevice);
+    if (properties.apiVersion >= kApiVersion) {
+        addVersion12Properties(report, physicalDevice);
+    }
+    report.refusals = refusalsOf(report);
+    return report;
+}
+
+} // namespace
+
+std::string typeText(DeviceType type) {
+    switch (type) {
+    case DeviceType::discrete:
+        return "discrete";
+    case DeviceType::integrated:
+        return "integrated";
+    case DeviceType::virtualGpu:
+        return "virtual";
+    case DeviceType::cpu:
+        return "cpu";
+    case DeviceType::other:
+        break;
+    }
+    return "other";
+}
+
+std::string versionText(uint32_t apiVersion) {
+    return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(apiVersion), VK_API_VERSION_MINOR(apiVersion),
+                       VK_API_VERSION_PATCH(apiVersion));
+}
+
+std::vector<std::string> refusalsOf(const DeviceReport& report) {
+    std::vector<std::string> refusals;
+    const auto require = [&refusals](const char* limit, uint32_t has, uint32_t needs) {
+        if (has < needs) {
+            refusals.push_back(fmt::format("{} {}, needs {}", limit, has, needs));
+        }
+    };
+    if (report.apiVersion < kApiVersion) {
+        refusals.push_back(fmt::format("Vulkan {}.{}, needs {}.{}", VK_API_VERSION_MAJOR(report.apiVersion),
+                                       VK_API_VERSION_MINOR(report.apiVersion),
+                                       VK_API_VERSION_MAJOR(kApiVersion), VK_API_VERSION_MINOR(kApiVersion)));
+    }
+    if (!report.computeQueueFamily) {
+        refusals.push_back("no compute queue");
+    }
+    require("maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations, kWorkGroupSize);
+    require("maxComputeWorkGroupSize[0]", report.maxComputeWorkGroupSizeX, kWorkGroupSize);
+    require("maxPerStageDescriptorStorageBuffers", report.maxPerStageDescriptorStorageBuffers,
+            kStorageBuffers);
+    require("maxPushConstantsSize", report.maxPushConstantsSize, kPushConstantBytes);
+    return refusals;
+}
+
+std::vector<DeviceReport> reportDevices(const Context& context) {
+    std::vector<DeviceReport> reports;
+    for (const vk::raii::PhysicalDevice& physicalDevice : context.physicalDevices()) {
+        reports.push_back(reportDevice(physicalDevice, static_cast<uint32_t>(reports.size())));
+    }
+    return reports;
+}
+
+} // namespace metamarch::vulkan

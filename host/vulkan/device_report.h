@@ -1,0 +1,54 @@
+// What a device is, what of its limits we depend on, and why we refuse it.
+#pragma once
+#include "vulkan/context.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace metamarch::vulkan {
+
+// The best to run on first.
+enum class DeviceType { discrete, integrated, virtualGpu, cpu, other };
+
+struct DeviceReport {
+    uint32_t index = 0; // in the order of the loader
+    std::string name;
+    std::string driver;     // "llvmpipe"
+    std::string driverInfo; // "Mesa 22.3.6 (LLVM 15.0.6)"
+    uint32_t apiVersion = 0;
+    DeviceType type = DeviceType::other;
+
+    std::optional<uint32_t> computeQueueFamily;
+    uint32_t timestampValidBits = 0; // of that family; 0: no timestamps, durations are wall-clock
+    float timestampPeriod = 0;       // nanoseconds per tick
+
+    uint64_t maxStorageBufferRange = 0;   // bytes one binding can see
+    uint64_t maxMemoryAllocationSize = 0; // bytes of one buffer
+    uint64_t deviceLocalHeapSize = 0;     // bytes of the largest device-local heap
+    std::array<uint32_t, 3> maxComputeWorkGroupCount{};
+    uint32_t maxComputeWorkGroupInvocations = 0;
+    uint32_t maxComputeWorkGroupSizeX = 0;
+    uint32_t maxPerStageDescriptorStorageBuffers = 0;
+    uint32_t maxPushConstantsSize = 0; // bytes
+    uint32_t subgroupSize = 0;         // invocations
+
+    std::vector<std::string> refusals; // what we need and it lacks, in words; empty: usable
+
+    bool usable() const { return refusals.empty(); }
+};
+
+// "discrete", "integrated", "virtual", "cpu", "other".
+std::string typeText(DeviceType type);
+// "1.3.230".
+std::string versionText(uint32_t apiVersion);
+
+// Everything but `refusals` decides: an empty list means the device can run us.
+std::vector<std::string> refusalsOf(const DeviceReport& report);
+
+// One report per device of the context, in its order.
+std::vector<DeviceReport> reportDevices(const Context& context);
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,122 @@
+#include "vulkan/pipeline_cache.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <span>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace metamarch::vulkan {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What we put before the driver's bytes. Drivers may crash on damaged data (Vulkan forbids handing it to
+// them), so we check every byte ourselves.
+struct FileHeader {
+    char magic[8];
+    uint64_t size; // bytes that follow
+    uint64_t hash; // hashOf those
+};
+constexpr char kMagic[8] = {'M', 'M', 'C', 'A', 'C', 'H', 'E', '1'};
+
+// FNV-1a with 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/
+uint64_t hashOf(std::span<const uint8_t> bytes) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (const uint8_t byte : bytes) {
+        hash = (hash ^ byte) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+bool isForDevice(std::span<const uint8_t> data, const vk::PhysicalDeviceProperties& properties) {
+    VkPipelineCacheHeaderVersionOne header;
+    if (data.size() < sizeof header) {
+        return false;
+    }
+    std::memcpy(&header, data.data(), sizeof header);
+    return header.headerSize == sizeof header &&
+           header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+           header.vendorID == properties.vendorID && header.deviceID == properties.deviceID &&
+           std::memcmp(header.pipelineCacheUUID, properties.pipelineCacheUUID.data(), VK_UUID_SIZE) == 0;
+}
+
+// The driver's bytes, or none when the file is missing, damaged or of another device.
+std::vector<uint8_t> readCache(const fs::path& file, const vk::PhysicalDeviceProperties& properties) {
+    std::ifstream stream(file, std::ios::binary);
+    FileHeader header;
+    if (!stream.read(reinterpret_cast<char*>(&header), sizeof header) ||
+        std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) {
+        return {};
+    }
+    std::vector<uint8_t> data(std::istreambuf_iterator<char>(stream), {});
+    const bool whole = data.size() == header.size && hashOf(data) == header.hash;
+    return whole && isForDevice(data, properties) ? data : std::vector<uint8_t>();
+}
+
+// Under a name of its own, then renamed: another process sees the old file or the new one, never half of one.
+void writeCache(const fs::path& file, std::span<const uint8_t> data) {
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+    fs::path temporary = file;
+    temporary += fmt::format(".{:08x}", std::random_device{}());
+
+    FileHeader header{{}, data.size(), hashOf(data)};
+    std::memcpy(header.magic, kMagic, sizeof kMagic);
+    std::ofstream stream(temporary, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(&header), sizeof header);
+    stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
+    stream.close();
+    if (stream) {
+        fs::rename(temporary, file, ignored);
+    }
+    fs::remove(temporary, ignored); // gone already unless something failed
+}
+
+vk::raii::PipelineCache createCache(const std::optional<fs::path>& file, const vk::raii::Device& device,
+                                    const vk::PhysicalDeviceProperties& properties) {
+    const std::vector<uint8_t> data = file ? readCache(*file, properties) : std::vector<uint8_t>();
+    return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
+}
+
+} // namespace
+
+std::optional<fs::path> pipelineCacheFile(const vk::PhysicalDeviceProperties& properties) {
+    const char* const cacheHome = std::getenv("XDG_CACHE_HOME");
+    const char* const home = std::getenv("HOME");
+    fs::path folder;
+    if (cacheHome != nullptr &&
+        fs::path(cacheHome).is_absolute()) { // a relative one counts as unset, says XDG
+        folder = cacheHome;
+    } else if (home != nullptr && fs::path(home).is_absolute()) {
+        folder = fs::path(home) / ".cache";
+    } else {
+        return std::nullopt;
+    }
+    return folder / "metamarch" /
+           fmt::format("pipelines-{:08x}-{:08x}-{:08x}-{:02x}.bin", properties.vendorID, properties.deviceID,
+                       properties.driverVersion, fmt::join(properties.pipelineCacheUUID, ""));
+}
+
+PipelineCache::PipelineCache(const vk::raii::PhysicalDevice& physicalDevice, const vk::raii::Device& device)
+    : file_(pipelineCacheFile(physicalDevice.getProperties())),
+      cache_(createCache(file_, device, physicalDevice.getProperties())) {}
+
+PipelineCache::~PipelineCache() {
+    if (!file_ || !*cache_) { // moved from
+        return;
+    }
+    try {
+        writeCache(*file_, cache_.getData());
+    } catch (const std::exception&) {
+        // the next run compiles again
+    }
+}
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,168 @@
+#include "vulkan/submission.h"
+
+#include "error.h"
+#include "vulkan/refusal.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace metamarch::vulkan {
+namespace {
+
+using Access = vk::AccessFlagBits;
+using Stage = vk::PipelineStageFlagBits;
+
+constexpr vk::PipelineStageFlags kWorkStages = Stage::eComputeShader | Stage::eTransfer;
+constexpr vk::AccessFlags kWorkWrites = Access::eShaderWrite | Access::eTransferWrite;
+constexpr vk::AccessFlags kWorkReads = Access::eShaderRead | Access::eTransferRead;
+
+vk::raii::CommandBuffer allocateCommandBuffer(const Device& device) {
+    vk::raii::CommandBuffers buffers(device.handle(),
+                                     {*device.commandPool(), vk::CommandBufferLevel::ePrimary, 1});
+    return std::move(buffers.front());
+}
+
+} // namespace
+
+Commands::Commands(const Device& device, const vk::raii::CommandBuffer& commandBuffer)
+    : device_(&device), commandBuffer_(&commandBuffer) {}
+
+// One barrier over all memory: the stages of a renderer depend on each other anyway, and drivers make no use
+// of finer ones. It stands before the first command too, against earlier submissions.
+void Commands::waitForEarlierCommands() {
+    const vk::MemoryBarrier barrier(kWorkWrites, kWorkReads | kWorkWrites);
+    commandBuffer_->pipelineBarrier(kWorkStages, kWorkStages, {}, barrier, {}, {});
+}
+
+void Commands::dispatchBytes(const ComputePipeline& pipeline, GroupCount groups,
+                             std::span<const std::byte> pushConstants) {
+    if (pushConstants.size() != pipeline.pushConstantSize()) {
+        throw std::logic_error(fmt::format("kernel '{}' takes {} bytes of push constants, not {}",
+                                           pipeline.name(), pipeline.pushConstantSize(),
+                                           pushConstants.size()));
+    }
+    const GroupCount& most = device_->report().maxComputeWorkGroupCount;
+    if (groups[0] > most[0] || groups[1] > most[1] || groups[2] > most[2]) {
+        throw Error(ExitCode::outOfMemory,
+                    fmt::format("{}: kernel '{}': {} workgroups are over maxComputeWorkGroupCount, {}",
+                                device_->name(), pipeline.name(), fmt::join(groups, " x "),
+                                fmt::join(most, " x ")));
+    }
+    waitForEarlierCommands();
+    commandBuffer_->bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.handle());
+    commandBuffer_->bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipeline.layout(), 0,
+                                       pipeline.descriptorSet(), {});
+    if (!pushConstants.empty()) {
+        commandBuffer_->pushConstants<std::byte>(
+            pipeline.layout(), vk::ShaderStageFlagBits::eCompute, 0,
+            {static_cast<uint32_t>(pushConstants.size()), pushConstants.data()});
+    }
+    commandBuffer_->dispatch(groups[0], groups[1], groups[2]);
+}
+
+void Commands::copy(const Buffer& from, uint64_t fromOffset, const Buffer& to, uint64_t toOffset,
+                    uint64_t size) {
+    if (size == 0) {
+        return; // Vulkan has no empty copies
+    }
+    waitForEarlierCommands();
+    commandBuffer_->copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, toOffset, size));
+}
+
+void Commands::fill(const Buffer& buffer, uint32_t word) {
+    if (buffer.size() == 0) {
+        return; // there is nothing in it to read
+    }
+    waitForEarlierCommands();
+    commandBuffer_->fillBuffer(buffer.handle(), 0, buffer.size(), word);
+}
+
+Submission::Submission(const Device& device)
+    : device_(&device), commandBuffer_(allocateCommandBuffer(device)),
+      fence_(device.handle(), vk::FenceCreateInfo()) {
+    if (device.timestampPeriod() > 0) {
+        timestamps_ = {device.handle(), vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2)};
+    }
+}
+
+Submission::~Submission() {
+    if (!inFlight_) {
+        return;
+    }
+    try {
+        wait();
+    } catch (const std::exception&) {
+        // The device is lost; whoever uses it next is told.
+    }
+}
+
+void Submission::start(const Recorder& record) {
+    if (inFlight_) {
+        throw std::logic_error("Submission::start: the work before has not been waited for");
+    }
+    try {
+        commandBuffer_.reset(); // it may be half recorded: a recorder may throw
+        commandBuffer_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        const bool timed = *timestamps_;
+        if (timed) {
+            commandBuffer_.resetQueryPool(*timestamps_, 0, 2);
+            commandBuffer_.writeTimestamp(Stage::eTopOfPipe, *timestamps_, 0);
+        }
+        Commands commands(*device_, commandBuffer_);
+        record(commands);
+        if (timed) {
+            commandBuffer_.writeTimestamp(Stage::eBottomOfPipe, *timestamps_, 1);
+        }
+        const vk::MemoryBarrier toHost(kWorkWrites, Access::eHostRead);
+        commandBuffer_.pipelineBarrier(kWorkStages, Stage::eHost, {}, toHost, {}, {});
+        commandBuffer_.end();
+
+        device_->handle().resetFences(*fence_);
+        startTime_ = std::chrono::steady_clock::now();
+        device_->queue().submit(vk::SubmitInfo({}, {}, *commandBuffer_), *fence_);
+        inFlight_ = true;
+    } catch (const vk::SystemError& error) {
+        throw refusalOf(error, fmt::format("{}: cannot submit work", device_->name()));
+    }
+}
+
+double Submission::wait() {
+    if (!inFlight_) {
+        throw std::logic_error("Submission::wait: nothing was started");
+    }
+    inFlight_ = false; // also when the device is lost: nothing will come of another wait
+    try {
+        const auto timeout = std::chrono::nanoseconds(kTimeout).count();
+        const vk::Result result =
+            device_->handle().waitForFences(*fence_, VK_TRUE, static_cast<uint64_t>(timeout));
+        if (result == vk::Result::eTimeout) {
+            throw Error(ExitCode::noDevice, fmt::format("{}: device lost (no answer within {} minutes)",
+                                                        device_->name(), kTimeout.count()));
+        }
+        return deviceSeconds();
+    } catch (const vk::SystemError& error) {
+        throw refusalOf(error, fmt::format("{}: device lost", device_->name()));
+    }
+}
+
+double Submission::run(const Recorder& record) {
+    start(record);
+    return wait();
+}
+
+double Submission::deviceSeconds() const {
+    if (!*timestamps_) {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime_).count();
+    }
+    const auto [result, ticks] =
+        timestamps_.getResults<uint64_t>(0, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),
+                                         vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+    const uint32_t unusedBits = 64 - device_->report().timestampValidBits; // a counter of n bits wraps at 2^n
+    const uint64_t elapsed = ((ticks[1] - ticks[0]) << unusedBits) >> unusedBits;
+    return static_cast<double>(elapsed) * device_->timestampPeriod() * 1e-9;
+}
+
+} // namespace metamarch::vulkan

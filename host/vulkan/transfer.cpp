@@ -1,0 +1,48 @@
+#include "vulkan/transfer.h"
+
+#include "vulkan/submission.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace metamarch::vulkan {
+
+void write(const Device& device, const Buffer& buffer, uint64_t offset, std::span<const std::byte> data) {
+    if (data.empty()) {
+        return;
+    }
+    const Buffer staging(device, BufferUse::upload, std::min<uint64_t>(data.size(), kTransferChunkSize),
+                         buffer.name() + " (staging)");
+    Submission submission(device);
+    while (!data.empty()) {
+        const uint64_t size = std::min<uint64_t>(data.size(), staging.size());
+        std::memcpy(staging.mapped().data(), data.data(), size);
+        submission.run([&](Commands& commands) { commands.copy(staging, 0, buffer, offset, size); });
+        data = data.subspan(size);
+        offset += size;
+    }
+}
+
+void read(const Device& device, const Buffer& buffer, uint64_t offset, std::span<std::byte> data) {
+    if (data.empty()) {
+        return;
+    }
+    const Buffer staging(device, BufferUse::readback, std::min<uint64_t>(data.size(), kTransferChunkSize),
+                         buffer.name() + " (staging)");
+    Submission submission(device);
+    while (!data.empty()) {
+        const uint64_t size = std::min<uint64_t>(data.size(), staging.size());
+        submission.run([&](Commands& commands) { commands.copy(buffer, offset, staging, 0, size); });
+        std::memcpy(data.data(), staging.mapped().data(), size);
+        data = data.subspan(size);
+        offset += size;
+    }
+}
+
+Buffer upload(const Device& device, std::span<const std::byte> data, std::string name) {
+    Buffer buffer(device, BufferUse::storage, data.size(), std::move(name));
+    write(device, buffer, 0, data);
+    return buffer;
+}
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,44 @@
+// Bytes from the host to a device-local buffer and back, through host-visible memory of bounded size.
+#pragma once
+#include "vulkan/buffer.h"
+#include "vulkan/device.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace metamarch::vulkan {
+
+// Host-visible memory a transfer holds at most; longer data goes in chunks of this size.
+inline constexpr uint64_t kTransferChunkSize = uint64_t{16} << 20;
+
+// Overwrites data.size() bytes of `buffer` from byte `offset` on. Returns when the device has them.
+void write(const Device& device, const Buffer& buffer, uint64_t offset, std::span<const std::byte> data);
+
+// Fills `data` from byte `offset` of `buffer` on.
+void read(const Device& device, const Buffer& buffer, uint64_t offset, std::span<std::byte> data);
+
+// A new storage buffer that holds `data`. Throws Error(outOfMemory).
+Buffer upload(const Device& device, std::span<const std::byte> data, std::string name);
+
+// The same for any container of plain values: upload(device, std::span(triangles), "triangles").
+template <class T>
+Buffer upload(const Device& device, std::span<T> values, std::string name) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return upload(device, std::as_bytes(values), std::move(name));
+}
+
+// The whole buffer as values of T; its size must be a multiple of sizeof(T).
+template <class T>
+std::vector<T> download(const Device& device, const Buffer& buffer) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<T> values(buffer.size() / sizeof(T));
+    read(device, buffer, 0, std::as_writable_bytes(std::span(values)));
+    return values;
+}
+
+} // namespace metamarch::vulkan
