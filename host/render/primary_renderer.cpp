@@ -1,0 +1,67 @@
+#include "render/primary_renderer.h"
+
+#include "render/work_size.h"
+#include "vulkan/submission.h"
+#include "vulkan/transfer.h"
+
+#include <algorithm>
+
+namespace metamarch::render {
+namespace {
+
+// Tiles of one submission: 2^14 tiles of 64 pixels are 48 MiB of output.
+constexpr std::uint32_t kMostTiles = 1u << 14u;
+
+void copyTile(const std::span<const PrimaryPixel, kTilePixels> tile, const std::uint32_t tileIndex,
+              const std::uint32_t tilesPerRow, const Camera& camera, std::vector<PrimaryPixel>& pixels) {
+    const std::uint32_t left = tileIndex % tilesPerRow * kTileSide;
+    const std::uint32_t top = tileIndex / tilesPerRow * kTileSide;
+    const std::uint32_t width = std::min(kTileSide, camera.width - left);
+    const std::uint32_t height = std::min(kTileSide, camera.height - top);
+    for (std::uint32_t row = 0; row < height; ++row) {
+        std::copy_n(tile.begin() + row * kTileSide, width,
+                    pixels.begin() + static_cast<std::ptrdiff_t>(std::size_t{top + row} * camera.width + left));
+    }
+}
+
+} // namespace
+
+PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
+                            const Camera& camera, const std::function<void(double)>& onProgress) {
+    const std::uint32_t tilesPerRow = (camera.width + kTileSide - 1) / kTileSide;
+    const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
+    WorkSize work(std::min(tiles, kMostTiles));
+
+    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "primary", traversal, sizeof(PrimaryPush));
+    const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
+    const std::uint64_t outputBytes = std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);
+    const vulkan::Buffer output(device, vulkan::BufferUse::storage, outputBytes, "pixels");
+    const vulkan::Buffer readback(device, vulkan::BufferUse::readback, outputBytes, "pixels read back");
+    pipeline.bind(kBindInput, input);
+    pipeline.bind(kBindOutput, output);
+    vulkan::Submission submission(device);
+
+    PrimaryRender render;
+    render.pixels.resize(std::size_t{camera.width} * camera.height);
+    for (std::uint32_t firstTile = 0; firstTile < tiles;) {
+        const std::uint32_t count = std::min(work.units(), tiles - firstTile);
+        const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(PrimaryPixel);
+        const double seconds = submission.run([&](vulkan::Commands& commands) {
+            commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{firstTile, tilesPerRow});
+            commands.copy(output, 0, readback, 0, bytes);
+        });
+        const std::span tilePixels(reinterpret_cast<const PrimaryPixel*>(readback.mapped().data()),
+                                   std::size_t{count} * kTilePixels);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            copyTile(tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>(), firstTile + i, tilesPerRow,
+                     camera, render.pixels);
+        }
+        work.finished(seconds);
+        (render.submissions++ == 0 ? render.firstSeconds : render.deviceSeconds) += seconds;
+        firstTile += count;
+        onProgress(static_cast<double>(firstTile) / tiles);
+    }
+    return render;
+}
+
+} // namespace metamarch::render

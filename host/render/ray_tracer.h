@@ -1,0 +1,26 @@
+// Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
+#pragma once
+#include "render/scene_buffers.h"
+#include "shared/ray_query.h"
+#include "vulkan/submission.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace metamarch::render {
+
+class RayTracer {
+  public:
+    RayTracer(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal, bool anyHit);
+
+    // One result per ray, in their order.
+    std::vector<RayResult> trace(std::span<const RayQuery> rays);
+
+  private:
+    const vulkan::Device& device;
+    vulkan::ComputePipeline pipeline;
+    vulkan::Submission submission;
+};
+
+} // namespace metamarch::render

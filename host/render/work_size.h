@@ -1,0 +1,34 @@
+// How much work goes into one submission.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+
+namespace metamarch::render {
+
+// GPUs with a watchdog reset a device that is busy for seconds, and progress and Ctrl-C wait for a submission to end:
+// so the seconds of each one decide the size of the next.
+class WorkSize {
+  public:
+    static constexpr double kTargetSeconds = 0.075;
+
+    // `units` is any measure of work, from 1 to `most`.
+    explicit WorkSize(std::uint32_t limit) : most(limit) {}
+
+    std::uint32_t units() const { return size; }
+
+    // The first submission also compiles the kernel on some drivers, so it holds one unit and says nothing.
+    void finished(const double seconds) {
+        if (warm) {
+            const double wanted = size * kTargetSeconds / std::max(seconds, 1e-6);
+            size = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
+        }
+        warm = true;
+    }
+
+  private:
+    std::uint32_t most;
+    std::uint32_t size = 1;
+    bool warm = false;
+};
+
+} // namespace metamarch::render
