@@ -1,0 +1,111 @@
+#include "cli/devices_command.h"
+
+#include "error.h"
+#include "vulkan/byte_text.h"
+#include "vulkan/device_choice.h"
+#include "vulkan/device_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace metamarch::cli {
+namespace {
+
+using vulkan::DeviceReport;
+
+void printLine(const char* what, const std::string& value) { fmt::print("     {:<36} {}\n", what, value); }
+
+std::string usableText(const DeviceReport& report, bool isDefault) {
+    if (!report.usable())
+        return fmt::format("no: {}", fmt::join(report.refusals, "; "));
+    return isDefault ? "yes, used unless --device says otherwise" : "yes";
+}
+
+std::string timestampText(const DeviceReport& report) {
+    if (report.timestampValidBits == 0)
+        return "none (not needed: times are taken by the wall clock)";
+    return fmt::format("{} bits, {} ns per tick", report.timestampValidBits, report.timestampPeriod);
+}
+
+void printReport(const DeviceReport& report, bool isDefault) {
+    fmt::print("{} {}  {}\n", isDefault ? "*" : " ", report.index, report.name);
+    printLine("usable", usableText(report, isDefault));
+    printLine("type", typeText(report.type));
+    printLine("driver", fmt::format("{} {}", report.driver, report.driverInfo));
+    printLine("Vulkan", vulkan::versionText(report.apiVersion));
+    printLine("largest device-local heap", vulkan::byteText(report.deviceLocalHeapSize));
+    printLine("maxMemoryAllocationSize", vulkan::byteText(report.maxMemoryAllocationSize));
+    printLine("maxStorageBufferRange", vulkan::byteText(report.maxStorageBufferRange));
+    printLine("maxPerStageDescriptorStorageBuffers",
+              fmt::to_string(report.maxPerStageDescriptorStorageBuffers));
+    printLine("maxPushConstantsSize", vulkan::byteText(report.maxPushConstantsSize));
+    printLine("maxComputeWorkGroupInvocations", fmt::to_string(report.maxComputeWorkGroupInvocations));
+    printLine("maxComputeWorkGroupSize[0]", fmt::to_string(report.maxComputeWorkGroupSizeX));
+    printLine("maxComputeWorkGroupCount[0]", fmt::to_string(report.maxComputeWorkGroupCount[0]));
+    printLine("subgroup size", fmt::to_string(report.subgroupSize));
+    printLine("timestamps", timestampText(report));
+}
+
+// Sizes in bytes.
+nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
+    return {{"index", report.index},
+            {"name", report.name},
+            {"default", isDefault},
+            {"usable", report.usable()},
+            {"refusals", report.refusals},
+            {"type", typeText(report.type)},
+            {"driver", report.driver},
+            {"driverInfo", report.driverInfo},
+            {"apiVersion", vulkan::versionText(report.apiVersion)},
+            {"deviceLocalHeapSize", report.deviceLocalHeapSize},
+            {"maxMemoryAllocationSize", report.maxMemoryAllocationSize},
+            {"maxStorageBufferRange", report.maxStorageBufferRange},
+            {"maxPerStageDescriptorStorageBuffers", report.maxPerStageDescriptorStorageBuffers},
+            {"maxPushConstantsSize", report.maxPushConstantsSize},
+            {"maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations},
+            {"maxComputeWorkGroupSizeX", report.maxComputeWorkGroupSizeX},
+            {"maxComputeWorkGroupCount", report.maxComputeWorkGroupCount},
+            {"subgroupSize", report.subgroupSize},
+            {"timestampValidBits", report.timestampValidBits},
+            {"timestampPeriod", report.timestampPeriod}};
+}
+
+void runDevices(bool json) {
+    const vulkan::Context context;
+    const std::vector<DeviceReport> reports = vulkan::reportDevices(context);
+    const std::optional<uint32_t> defaultIndex = vulkan::defaultDevice(reports);
+
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const DeviceReport& report : reports) {
+        const bool isDefault = report.index == defaultIndex;
+        if (json)
+            list.push_back(toJson(report, isDefault));
+        else
+            printReport(report, isDefault);
+    }
+    if (json) // a driver may call its device by bytes that are no UTF-8
+        fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    if (!defaultIndex)
+        throw Error(ExitCode::noDevice, "no usable Vulkan device; the list above says why");
+}
+
+} // namespace
+
+void addDevicesCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("devices", "List the Vulkan devices and what they lack");
+    const auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "Print the list as JSON; sizes are bytes");
+    command->footer(
+        "The device marked * is used unless --device names another by its index or a part of its\n"
+        "name. Exit code: 0 with a usable device, 4 without one.\n\n"
+        "Example:\n"
+        "  build/metamarch devices");
+    command->callback([json] { runDevices(*json); });
+}
+
+} // namespace metamarch::cli

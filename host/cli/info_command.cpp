@@ -1,0 +1,75 @@
+#include "cli/info_command.h"
+
+#include "cli/structure_options.h"
+#include "cli/structure_report.h"
+#include "scene/import.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace metamarch::cli {
+namespace {
+
+struct InfoOptions {
+    std::string scenePath;
+    StructureOptions structure;
+    bool json = false;
+};
+
+std::string triple(const nlohmann::ordered_json& values, const char* separator) {
+    if (values.is_null()) {
+        return "none";
+    }
+    return fmt::format("{}{}{}{}{}", values[0].dump(), separator, values[1].dump(), separator, values[2].dump());
+}
+
+void printText(const nlohmann::ordered_json& report) {
+    const auto line = [](const char* label, const std::string& value) { fmt::print("{:<12} {}\n", label, value); };
+    const auto count = [&](const char* group, const char* key) { return report[group][key].get<std::uint64_t>(); };
+    const auto seconds = [&](const char* key) { return report["seconds"][key].get<double>(); };
+    line("vertices", report["vertices"].dump());
+    line("triangles", fmt::format("{} ({} degenerate, in no leaf)", report["triangles"].dump(),
+                                  report["degenerateTriangles"].dump()));
+    line("bounds", triple(report["bounds"]["min"], " ") + "  to  " + triple(report["bounds"]["max"], " "));
+    line("lattice", fmt::format("{} = {} cells, unit {}", triple(report["lattice"]["resolution"], " x "),
+                                count("table", "cells"), triple(report["lattice"]["unit"], " ")));
+    line("kd-tree", fmt::format("{} nodes, depth {}", count("tree", "nodes"), count("tree", "depth")));
+    line("leaves", fmt::format("{} with {} triangle references, {} empty", count("tree", "leaves"),
+                               count("tree", "references"), count("tree", "emptyLeaves")));
+    line("memory", fmt::format("tree {:.1f} MiB, table {:.1f} MiB, triangles {:.1f} MiB",
+                               static_cast<double>(count("bytes", "tree")) / 0x1p20,
+                               static_cast<double>(count("bytes", "table")) / 0x1p20,
+                               static_cast<double>(count("bytes", "triangles")) / 0x1p20));
+    line("built in", fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
+                                 seconds("table"), report["trianglesPerSecond"].get<double>()));
+}
+
+void runInfo(const InfoOptions& options) {
+    const AccelerationOptions structureOptions = options.structure.parse();
+    const Scene scene = loadScene(options.scenePath, options.structure.scale());
+    for (const std::string& warning : scene.warnings) {
+        fmt::print(stderr, "metamarch: warning: {}\n", warning);
+    }
+    const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    const nlohmann::ordered_json report = reportStructure(scene, structure);
+    if (options.json) {
+        fmt::print("{}\n", report.dump(2));
+    } else {
+        printText(report);
+    }
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand("info", "Show what a scene holds and what tree and table cost");
+    const auto options = std::make_shared<InfoOptions>();
+    command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+    command->add_flag("--json", options->json, "Print JSON");
+    options->structure.addTo(*command);
+    command->footer("Example:\n  build/metamarch info scenes/objects.glb --cells 100000");
+    command->callback([options] { runInfo(*options); });
+}
+
+} // namespace metamarch::cli

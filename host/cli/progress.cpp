@@ -1,0 +1,34 @@
+#include "cli/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace metamarch::cli {
+
+Progress::Progress(std::string text, const bool wanted)
+    : label(std::move(text)), visible(wanted && isatty(STDERR_FILENO) == 1) {
+    show(0.0);
+}
+
+Progress::~Progress() {
+    if (visible) {
+        fmt::print(stderr, "\r\x1b[K");
+    }
+}
+
+void Progress::show(const double part) {
+    constexpr std::size_t kWidth = 40;
+    const auto now = std::chrono::steady_clock::now();
+    if (!visible || (part < 1.0 && now - lastDrawn < std::chrono::milliseconds(100))) {
+        return;
+    }
+    lastDrawn = now;
+    const auto filled = static_cast<std::size_t>(part * kWidth);
+    fmt::print(stderr, "\r{} [{:#>{}}{:.>{}}] {:3.0f} %", label, "", filled, "", kWidth - filled, 100.0 * part);
+    std::fflush(stderr);
+}
+
+} // namespace metamarch::cli

@@ -1,0 +1,24 @@
+// A progress bar on a terminal, nothing elsewhere.
+#pragma once
+#include <chrono>
+#include <string>
+
+namespace metamarch::cli {
+
+// Draws on stderr while it lives, if that is a terminal and `wanted`; leaves a clean line behind.
+class Progress {
+  public:
+    Progress(std::string label, bool wanted);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void show(double part); // 0..1
+
+  private:
+    std::string label;
+    bool visible;
+    std::chrono::steady_clock::time_point lastDrawn{};
+};
+
+} // namespace metamarch::cli

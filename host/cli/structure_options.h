@@ -1,0 +1,28 @@
+// The options that shape tree and table, the same for every sub-command that builds them.
+#pragma once
+#include "accel/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace metamarch::cli {
+
+class StructureOptions {
+  public:
+    void addTo(CLI::App& command);
+
+    // Throws Error(badArguments) for values out of range.
+    AccelerationOptions parse() const;
+    float scale() const; // finite, not zero
+
+  private:
+    double scaleFactor = 1.0;
+    std::string unit;
+    std::string preset;
+    std::optional<std::uint64_t> cells;
+    std::optional<unsigned> treeDepth;
+};
+
+} // namespace metamarch::cli

@@ -1,0 +1,51 @@
+#include "cli/structure_report.h"
+
+#include <algorithm>
+
+namespace metamarch::cli {
+namespace {
+
+template <class Vector>
+nlohmann::ordered_json toArray(const Vector& v) {
+    return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+template <class T>
+std::size_t byteSize(const std::vector<T>& values) {
+    return values.size() * sizeof(T);
+}
+
+} // namespace
+
+nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStructure& structure) {
+    const KdTree& tree = structure.tree;
+    const Bounds bounds = boundsOf(scene);
+    const bool empty = scene.triangles.empty();
+    const auto emptyLeaves = static_cast<std::size_t>(
+        std::count_if(tree.leaves.begin(), tree.leaves.end(), [](const Leaf& leaf) { return leaf.triangleCount == 0; }));
+    const double seconds = structure.treeSeconds + structure.tableSeconds;
+
+    nlohmann::ordered_json report;
+    report["vertices"] = scene.positions.size();
+    report["triangles"] = scene.triangles.size();
+    report["degenerateTriangles"] = structure.degenerateTriangles;
+    report["bounds"]["min"] = empty ? nlohmann::ordered_json() : toArray(bounds.lo);
+    report["bounds"]["max"] = empty ? nlohmann::ordered_json() : toArray(bounds.hi);
+    report["lattice"]["resolution"] = toArray(structure.lattice.resolution);
+    report["lattice"]["unit"] = toArray(structure.unit);
+    report["table"]["cells"] = structure.lattice.cellCount;
+    report["tree"]["nodes"] = tree.nodes.size();
+    report["tree"]["leaves"] = tree.leaves.size() - emptyLeaves;
+    report["tree"]["emptyLeaves"] = emptyLeaves;
+    report["tree"]["references"] = tree.leafTriangles.size();
+    report["tree"]["depth"] = tree.depth;
+    report["bytes"]["tree"] = byteSize(tree.nodes) + byteSize(tree.leaves);
+    report["bytes"]["table"] = byteSize(structure.leafOfCell);
+    report["bytes"]["triangles"] = byteSize(structure.triangleWords);
+    report["seconds"]["tree"] = structure.treeSeconds;
+    report["seconds"]["table"] = structure.tableSeconds;
+    report["trianglesPerSecond"] = seconds > 0.0 ? static_cast<double>(scene.triangles.size()) / seconds : 0.0;
+    return report;
+}
+
+} // namespace metamarch::cli
