@@ -1,0 +1,204 @@
+#include "expect_error.h"
+#include "file_size_limit.h"
+#include "image/image_file.h"
+#include "image/output_file.h"
+#include "temporary_folder.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+
+namespace metamarch {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// Every channel `render --integrator primary` writes, and values that careless code loses.
+Image everyChannel() {
+    Image image(70, 67, {"R", "G", "B", "A", "Z", "t", "N.X", "N.Y", "N.Z", "id.triangle", "steps", "tests"});
+    const float special[] = {0.0f,
+                             -0.0f,
+                             -1.0f,
+                             kInf,
+                             -kInf,
+                             std::numeric_limits<float>::quiet_NaN(),
+                             std::numeric_limits<float>::max(),
+                             std::numeric_limits<float>::denorm_min(),
+                             16777215.0f,
+                             1.0f / 3.0f};
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = i % 3 == 0 ? special[i % std::size(special)] : static_cast<float>(i);
+    return image;
+}
+
+Image flat(std::vector<std::string> channels, std::vector<float> values) {
+    Image image(1, 1, std::move(channels));
+    image.pixels = std::move(values);
+    return image;
+}
+
+// What an 8-bit file holds, as 0 to 255.
+std::vector<int> bytesOf(const Image& image) {
+    std::vector<int> bytes;
+    bytes.reserve(image.pixels.size());
+    for (const float value : image.pixels)
+        bytes.push_back(static_cast<int>(std::lround(value * 255.0f)));
+    return bytes;
+}
+
+TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
+    const TemporaryFolder folder;
+    const Image written = everyChannel();
+    writeImage(written, folder / "a.exr");
+    const Image read = readImage(folder / "a.exr");
+
+    ASSERT_EQ(read.width, written.width);
+    ASSERT_EQ(read.height, written.height);
+    ASSERT_EQ(read.channels.size(), written.channels.size());
+    for (std::size_t channel = 0; channel < written.channels.size(); ++channel) {
+        const auto found = read.findChannel(written.channels[channel]);
+        ASSERT_TRUE(found) << written.channels[channel];
+        for (int y = 0; y < written.height; ++y)
+            for (int x = 0; x < written.width; ++x)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(read.at(x, y, *found)),
+                          std::bit_cast<std::uint32_t>(written.at(x, y, channel)))
+                    << written.channels[channel] << " at " << x << "," << y;
+    }
+    EXPECT_EQ(folder.fileCount(), 1u) << "a temporary file stayed";
+}
+
+TEST(ImageFile, ExrIsZippedFloat) {
+    const TemporaryFolder folder;
+    writeImage(everyChannel(), folder / "a.exr");
+    const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
+    ASSERT_TRUE(input);
+    EXPECT_EQ(input->spec().format, OIIO::TypeFloat);
+    EXPECT_TRUE(input->spec().channelformats.empty());
+    EXPECT_EQ(input->spec().get_string_attribute("compression"), "zip");
+}
+
+TEST(ImageFile, ExrKeepsTheAttributes) {
+    const TemporaryFolder folder;
+    Image image(1, 1, {"R"});
+    image.attributes = {{"Software", "metamarch 0.1.0"},
+                        {"metamarch:device", "llvmpipe (LLVM 15.0.6, 256 bits)"},
+                        {"metamarch:scene", "Grüße.glb"}};
+    writeImage(image, folder / "a.exr");
+    const Image read = readImage(folder / "a.exr");
+    for (const auto& attribute : image.attributes)
+        EXPECT_NE(std::find(read.attributes.begin(), read.attributes.end(), attribute), read.attributes.end())
+            << attribute.first;
+}
+
+TEST(ImageFile, PngIsToneMapped) {
+    const TemporaryFolder folder;
+    writeImage(flat({"R", "G", "B", "A", "Z"}, {0.18f, 2.0f, -1.0f, 1.0f, kInf}), folder / "a.png");
+    const Image read = readImage(folder / "a.png");
+    EXPECT_EQ(read.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
+    EXPECT_EQ(bytesOf(read), (std::vector<int>{118, 255, 0, 255}));
+}
+
+TEST(ImageFile, PngWithoutAlphaHasThreeChannels) {
+    const TemporaryFolder folder;
+    writeImage(flat({"B", "G", "R"}, {1.0f, 0.5f, 0.0f}), folder / "a.png");
+    EXPECT_EQ(bytesOf(readImage(folder / "a.png")), (std::vector<int>{0, 188, 255}));
+}
+
+// A colour of 0.25 that covers half a pixel is a colour of 0.5 where it covers.
+TEST(ImageFile, PngColoursAreNotMultipliedByAlpha) {
+    const TemporaryFolder folder;
+    writeImage(flat({"R", "G", "B", "A"}, {0.25f, 0.0f, 0.5f, 0.5f}), folder / "a.png");
+    EXPECT_EQ(bytesOf(readImage(folder / "a.png")), (std::vector<int>{188, 0, 255, 128}));
+    writeImage(flat({"R", "G", "B", "A"}, {0.5f, 0.5f, 0.5f, 0.0f}), folder / "b.png");
+    EXPECT_EQ(bytesOf(readImage(folder / "b.png")), (std::vector<int>{188, 188, 188, 0}));
+}
+
+TEST(ImageFile, PngNeedsColours) {
+    const TemporaryFolder folder;
+    const auto write = [&] { writeImage(Image(1, 1, {"Z"}), folder / "a.png"); };
+    EXPECT_NE(lineOfError(ExitCode::badArguments, write).find("R, G and B"), std::string::npos);
+    EXPECT_EQ(folder.fileCount(), 0u);
+}
+
+TEST(ImageFile, OnlyKnownEndings) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.jpg", "a", "exr", ".exr", "a.exr.bak"}) {
+        const std::string line =
+            lineOfError(ExitCode::badArguments, [&] { writeImage(Image(1, 1, {"R"}), folder / name); });
+        EXPECT_EQ(line, (folder / name).string() + ": a picture is written as .exr or .png");
+        EXPECT_EQ(line, lineOfError(ExitCode::badArguments, [&] { checkWritable(folder / name); }));
+    }
+    writeImage(Image(1, 1, {"R"}), folder / "a.EXR");
+}
+
+TEST(ImageFile, CheckWritableTellsBeforeTheRender) {
+    const TemporaryFolder folder;
+    checkWritable(folder / "a.exr");
+    EXPECT_EQ(folder.fileCount(), 0u);
+    std::filesystem::create_directory(folder / "folder.exr");
+    for (const char* name : {"no/a.exr", "folder.exr"}) {
+        const std::string line =
+            lineOfError(ExitCode::outputNotWritable, [&] { checkWritable(folder / name); });
+        EXPECT_EQ(line, lineOfError(ExitCode::outputNotWritable,
+                                    [&] { writeImage(Image(1, 1, {"R"}), folder / name); }));
+    }
+}
+
+TEST(ImageFile, AFullDiskKeepsTheFormerPicture) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.exr", "a.png"}) {
+        writeImage(Image(1, 1, {"R", "G", "B"}), folder / name);
+        {
+            const FileSizeLimit limit(1500);
+            const std::string line = lineOfError(ExitCode::outputNotWritable, [&] {
+                Image noise(100, 100, {"R", "G", "B"});
+                for (std::size_t i = 0; i < noise.pixels.size(); ++i)
+                    noise.pixels[i] = static_cast<float>(i * 7919 % 10007) / 10007.0f;
+                writeImage(noise, folder / name);
+            });
+            EXPECT_EQ(line, "cannot write " + (folder / name).string() + ": File too large");
+        }
+        EXPECT_EQ(readImage(folder / name).width, 1);
+    }
+    EXPECT_EQ(folder.fileCount(), 2u);
+}
+
+TEST(ImageFile, UnreadablePicturesAreRefused) {
+    const TemporaryFolder folder;
+    writeImage(everyChannel(), folder / "whole.exr");
+    const auto half = std::filesystem::file_size(folder / "whole.exr") / 2;
+    std::filesystem::copy(folder / "whole.exr", folder / "half.exr");
+    std::filesystem::resize_file(folder / "half.exr", half);
+    writeText(folder / "empty.exr", "");
+    writeText(folder / "text.exr", "this is no picture\n");
+    writeText(folder / "text.txt", "nor is this\n");
+    for (const char* name : {"missing.exr", "half.exr", "empty.exr", "text.exr", "text.txt", ""}) {
+        const std::string line = lineOfError(ExitCode::sceneRefused, [&] { readImage(folder / name); });
+        EXPECT_EQ(line.find("cannot read " + (folder / name).string() + ": "), 0u) << line;
+    }
+}
+
+TEST(ImageFile, ReadsTiles) {
+    const TemporaryFolder folder;
+    OIIO::ImageSpec spec(70, 67, 2, OIIO::TypeFloat);
+    spec.channelnames = {"Y", "Z"};
+    spec.tile_width = 16;
+    spec.tile_height = 32;
+    Image image(70, 67, spec.channelnames);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = static_cast<float>(i);
+    const auto output = OIIO::ImageOutput::create("exr");
+    ASSERT_TRUE(output->open((folder / "a.exr").string(), spec));
+    ASSERT_TRUE(output->write_image(OIIO::TypeFloat, image.pixels.data()));
+    ASSERT_TRUE(output->close());
+    EXPECT_EQ(readImage(folder / "a.exr").pixels, image.pixels);
+}
+
+} // namespace
+} // namespace metamarch

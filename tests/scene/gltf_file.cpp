@@ -1,0 +1,33 @@
+#include "scene/gltf_file.h"
+
+#include "error.h"
+#include "image/expect_error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace metamarch {
+
+std::filesystem::path GltfFile::write(const std::string& name) {
+    if (!root.contains("buffers") && !bytes_.empty())
+        root["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", bytes_.size()}}};
+    writeFile(folder / "scene.bin", std::string(bytes_.begin(), bytes_.end()));
+    writeFile(folder / name, root.dump());
+    return folder / name;
+}
+
+std::string GltfFile::refusal() { return refusalOf(write()); }
+
+void writeFile(const std::filesystem::path& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
+
+std::string refusalOf(const std::filesystem::path& path) {
+    const std::string line = lineOfError(ExitCode::sceneRefused, [&] { loadScene(path); });
+    const std::string start = path.string() + ": ";
+    EXPECT_TRUE(line.starts_with(start)) << line;
+    return line.starts_with(start) ? line.substr(start.size()) : line;
+}
+
+} // namespace metamarch

@@ -1,0 +1,92 @@
+// Small glTF files, written by the test that reads them.
+#pragma once
+#include "image/temporary_folder.h"
+#include "scene/import.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace metamarch {
+
+// A glTF with one buffer, kept in scene.bin, and by default one node with one mesh. Tests change `root` at will.
+class GltfFile {
+  public:
+    nlohmann::json root = {{"asset", {{"version", "2.0"}}},
+                           {"scenes", {{{"nodes", {0}}}}},
+                           {"nodes", {{{"mesh", 0}}}},
+                           {"meshes", {{{"name", "body"}, {"primitives", {nlohmann::json::object()}}}}},
+                           {"accessors", nlohmann::json::array()},
+                           {"bufferViews", nlohmann::json::array()}};
+
+    nlohmann::json& primitive() { return root["meshes"][0]["primitives"][0]; }
+    nlohmann::json& node() { return root["nodes"][0]; }
+
+    // Appends the numbers and returns the index of a buffer view over them.
+    template <typename T>
+    int addView(const std::vector<T>& numbers) {
+        const std::size_t offset = bytes_.size();
+        bytes_.resize(offset + numbers.size() * sizeof(T));
+        std::memcpy(bytes_.data() + offset, numbers.data(), numbers.size() * sizeof(T));
+        root["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", numbers.size() * sizeof(T)}});
+        bytes_.resize((bytes_.size() + 3) / 4 * 4);
+        return static_cast<int>(root["bufferViews"].size()) - 1;
+    }
+
+    int addAccessor(const nlohmann::json& accessor) {
+        root["accessors"].push_back(accessor);
+        return static_cast<int>(root["accessors"].size()) - 1;
+    }
+
+    int addVec3(const std::vector<float>& numbers) {
+        return addAccessor({{"bufferView", addView(numbers)},
+                            {"componentType", kFloat},
+                            {"count", numbers.size() / 3},
+                            {"type", "VEC3"}});
+    }
+
+    int addIndices(const std::vector<std::uint16_t>& indices) {
+        return addAccessor({{"bufferView", addView(indices)},
+                            {"componentType", kUnsignedShort},
+                            {"count", indices.size()},
+                            {"type", "SCALAR"}});
+    }
+
+    void setPositions(const std::vector<float>& numbers) {
+        primitive()["attributes"]["POSITION"] = addVec3(numbers);
+    }
+
+    std::filesystem::path write(const std::string& name = "scene.gltf");
+    Scene load(float scale = 1.0f) { return loadScene(write(), scale); }
+    // The line of the sceneRefused that loading must throw, without the file's path.
+    std::string refusal();
+
+    TemporaryFolder folder;
+
+    static constexpr int kByte = 5120;
+    static constexpr int kUnsignedByte = 5121;
+    static constexpr int kShort = 5122;
+    static constexpr int kUnsignedShort = 5123;
+    static constexpr int kUnsignedInt = 5125;
+    static constexpr int kFloat = 5126;
+
+  private:
+    std::vector<unsigned char> bytes_;
+};
+
+// The same with one triangle, (0,0,0) (1,0,0) (0,1,0), which faces +z.
+class TriangleFile : public GltfFile {
+  public:
+    TriangleFile() { setPositions({0, 0, 0, 1, 0, 0, 0, 1, 0}); }
+};
+
+void writeFile(const std::filesystem::path& path, const std::string& content);
+
+// The line of the sceneRefused that loading `path` must throw, without the path that starts it.
+std::string refusalOf(const std::filesystem::path& path);
+
+} // namespace metamarch

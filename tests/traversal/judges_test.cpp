@@ -1,0 +1,124 @@
+// The CPU judges against each other on scenes made in memory: brute force judges the kd-tree and the march.
+#include "fixtures/ray_sets.h"
+#include "fixtures/shapes.h"
+#include "traversal/judges.h"
+
+#include <gtest/gtest.h>
+
+namespace metamarch::tests {
+namespace {
+
+struct NamedScene {
+    const char* name;
+    Scene (*make)();
+    AccelerationOptions options;
+};
+
+Scene emptyScene() { return {}; }
+
+Scene oneTriangle() {
+    Scene scene;
+    addTriangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f});
+    return scene;
+}
+
+Scene degenerateOnly() {
+    Scene scene;
+    addTriangle(scene, {1, 1, 1}, {1, 1, 1}, {1, 1, 1});
+    addTriangle(scene, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+    return scene;
+}
+
+// 200 triangles in one plane, one over the other.
+Scene coplanarHeap() {
+    Scene scene;
+    for (int i = 0; i < 200; ++i) {
+        const float shift = 0.001f * static_cast<float>(i);
+        addTriangle(scene, {shift, 0.5f, 0}, {1 + shift, 0.5f, 0}, {shift, 0.5f, 1});
+    }
+    return scene;
+}
+
+Scene sphereInStadium() {
+    Scene scene;
+    addSphere(scene, {0, 1, 0}, 1.0f, 40, 20);
+    addPlane(scene, 0.0f, 1e4f);
+    return scene;
+}
+
+Scene farAway(const float distance) {
+    Scene scene = unitCube();
+    addSphere(scene, glm::vec3(0.5f), 0.4f, 24, 12);
+    for (glm::vec3& position : scene.positions) {
+        position += distance * glm::vec3(1.0f, -0.1f, 0.5f);
+    }
+    return scene;
+}
+
+Scene scaled(const float factor) {
+    Scene scene = triangleSoup(500, 3);
+    for (glm::vec3& position : scene.positions) {
+        position *= factor;
+    }
+    return scene;
+}
+
+AccelerationOptions withUnit(const double unit) { return {glm::dvec3(unit), {}, {}}; }
+
+const NamedScene kScenes[] = {
+    {"empty", emptyScene, {}},
+    {"one_triangle", oneTriangle, {}},
+    {"degenerate_only", degenerateOnly, {}},
+    {"coplanar_heap", coplanarHeap, {}},
+    {"unit_cube", unitCube, {}},
+    {"unit_cube_integer_planes", unitCube, withUnit(0.25)},
+    {"unit_cube_one_cell", unitCube, withUnit(5.0)},
+    {"unit_cube_anisotropic", unitCube, {glm::dvec3(0.01, 0.3, 0.9), {}, {}}},
+    {"unit_cube_no_depth", unitCube, {{}, {}, 0u}},
+    {"soup", [] { return triangleSoup(2000, 1); }, {}},
+    {"soup_fine", [] { return triangleSoup(2000, 2); }, {{}, 4000000u, kMaxTreeDepth}},
+    {"soup_finest", [] { return triangleSoup(300, 5); }, {glm::dvec3(1.0 / 650.0, 0.05, 1.0 / 650.0), {}, {}}},
+    {"soup_tiny", [] { return scaled(1e-8f); }, {}},
+    {"soup_huge", [] { return scaled(1e8f); }, {}},
+    {"sphere_in_stadium", sphereInStadium, {}},
+    {"far_100", [] { return farAway(100.0f); }, {}},
+    {"far_100000", [] { return farAway(1e5f); }, {}},
+};
+
+class Judges : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(Judges, agreeOnTrickyRays) {
+    const Scene scene = GetParam().make();
+    const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);
+    if (scene.triangles.empty()) {
+        const RayQuery ray{{0, 0, 0}, 0, {1, 0, 0}, kFarthest};
+        const auto march = traceAll(structure.lattice, std::span(&ray, 1), [&](const Ray& r) {
+            return traceMetaTable(structure, r, HitQuery::closest);
+        });
+        EXPECT_EQ(march.front().triangleId, kNoTriangle);
+        return;
+    }
+    const std::vector<std::uint32_t> words = makeTriangleRecords(scene, solidTriangles(scene));
+    const std::vector<RayQuery> rays = trickyRays(scene, structure, 50000, 7);
+    for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
+        const auto brute =
+            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceBruteForce(words, r, query); });
+        const auto stack =
+            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceKdStack(structure, r, query); });
+        const auto march =
+            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceMetaTable(structure, r, query); });
+        if (query == HitQuery::closest) {
+            expectSameHits(rays, stack, brute, Counters::ignored);
+            expectSameHits(rays, march, brute, Counters::ignored);
+        } else {
+            expectSameOcclusion(rays, stack, brute);
+            expectSameOcclusion(rays, march, brute);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Judges, testing::ValuesIn(kScenes),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+} // namespace
+} // namespace metamarch::tests

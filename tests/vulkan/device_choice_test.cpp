@@ -1,0 +1,76 @@
+#include "expect_error.h"
+#include "vulkan/device_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace metamarch::vulkan {
+namespace {
+
+DeviceReport report(uint32_t index, const char* name, DeviceType type,
+                    std::vector<std::string> refusals = {}) {
+    DeviceReport result;
+    result.index = index;
+    result.name = name;
+    result.type = type;
+    result.refusals = std::move(refusals);
+    return result;
+}
+
+const std::vector<DeviceReport> kReports = {
+    report(0, "llvmpipe", DeviceType::cpu),
+    report(1, "Small GPU", DeviceType::integrated),
+    report(2, "Old Big GPU", DeviceType::discrete, {"no compute queue"}),
+    report(3, "Big GPU", DeviceType::discrete),
+    report(4, "Bigger GPU", DeviceType::discrete),
+};
+
+TEST(DeviceChoice, takesTheFirstUsableOfTheBestType) {
+    EXPECT_EQ(defaultDevice(kReports), 3u);
+    EXPECT_EQ(chooseDevice(kReports, ""), 3u);
+    EXPECT_EQ(defaultDevice(std::span(kReports).first(1)), 0u);
+}
+
+TEST(DeviceChoice, hasNoDefaultAmongUnusableDevices) {
+    const std::vector<DeviceReport> reports = {
+        report(0, "Old GPU", DeviceType::discrete, {"no compute queue"})};
+    EXPECT_EQ(defaultDevice(reports), std::nullopt);
+    expectError(ExitCode::noDevice, "0: Old GPU (not usable: no compute queue)",
+                [&] { chooseDevice(reports, ""); });
+}
+
+TEST(DeviceChoice, takesDigitsAsAnIndex) {
+    EXPECT_EQ(chooseDevice(kReports, "0"), 0u);
+    EXPECT_EQ(chooseDevice(kReports, "4"), 4u);
+}
+
+TEST(DeviceChoice, refusesAnIndexThatIsNotThere) {
+    expectError(ExitCode::noDevice, "there is no such device", [] { chooseDevice(kReports, "5"); });
+    expectError(ExitCode::noDevice, "there is no such device",
+                [] { chooseDevice(kReports, "99999999999999999999"); });
+}
+
+TEST(DeviceChoice, refusesAnUnusableDeviceAndSaysWhy) {
+    expectError(ExitCode::noDevice, "no compute queue", [] { chooseDevice(kReports, "2"); });
+    expectError(ExitCode::noDevice, "no compute queue", [] { chooseDevice(kReports, "old"); });
+}
+
+TEST(DeviceChoice, takesAPartOfTheNameInAnyCase) {
+    EXPECT_EQ(chooseDevice(kReports, "LLVM"), 0u);
+    EXPECT_EQ(chooseDevice(kReports, "small gpu"), 1u);
+}
+
+TEST(DeviceChoice, overlooksUnusableDevicesByName) { EXPECT_EQ(chooseDevice(kReports, "big gpu"), 3u); }
+
+TEST(DeviceChoice, refusesANameThatFitsSeveral) {
+    expectError(ExitCode::noDevice, "more than one", [] { chooseDevice(kReports, "gpu"); });
+}
+
+TEST(DeviceChoice, refusesANameThatFitsNoneAndListsTheDevices) {
+    expectError(ExitCode::noDevice, "1: Small GPU", [] { chooseDevice(kReports, "no such device"); });
+    expectError(ExitCode::noDevice, "fits no usable device", [] { chooseDevice(kReports, "-1"); });
+}
+
+} // namespace
+} // namespace metamarch::vulkan

@@ -1,0 +1,64 @@
+#include "environment.h"
+#include "vulkan/device_report.h"
+
+#include <gtest/gtest.h>
+
+namespace metamarch::vulkan {
+namespace {
+
+// A device that has what we need and nothing more.
+DeviceReport sufficient() {
+    DeviceReport report;
+    report.apiVersion = VK_API_VERSION_1_2;
+    report.computeQueueFamily = 0;
+    report.maxComputeWorkGroupInvocations = 64;
+    report.maxComputeWorkGroupSizeX = 64;
+    report.maxPerStageDescriptorStorageBuffers = 8;
+    report.maxPushConstantsSize = 128;
+    return report;
+}
+
+TEST(DeviceReport, refusesNothingWithoutAReason) { EXPECT_TRUE(refusalsOf(sufficient()).empty()); }
+
+TEST(DeviceReport, needsNoTimestamps) {
+    DeviceReport report = sufficient();
+    report.timestampValidBits = 0;
+    EXPECT_TRUE(refusalsOf(report).empty());
+}
+
+TEST(DeviceReport, namesEveryReason) {
+    DeviceReport report = sufficient();
+    report.apiVersion = VK_MAKE_API_VERSION(0, 1, 1, 200);
+    report.computeQueueFamily.reset();
+    report.maxComputeWorkGroupInvocations = 32;
+    report.maxPerStageDescriptorStorageBuffers = 4;
+    const std::vector<std::string> expected = {
+        "Vulkan 1.1, needs 1.2",
+        "no compute queue",
+        "maxComputeWorkGroupInvocations 32, needs 64",
+        "maxPerStageDescriptorStorageBuffers 4, needs 8",
+    };
+    EXPECT_EQ(refusalsOf(report), expected);
+}
+
+TEST(DeviceReport, describesTheDevicesOfThisMachine) {
+    const std::vector<DeviceReport> reports = reportDevices(testContext());
+    ASSERT_EQ(reports.size(), testContext().physicalDevices().size());
+    for (uint32_t index = 0; index < reports.size(); ++index) {
+        EXPECT_EQ(reports[index].index, index);
+        EXPECT_FALSE(reports[index].name.empty());
+    }
+}
+
+TEST(DeviceReport, readsTheLimitsOfTheOpenedDevice) {
+    const DeviceReport& report = testDevice().report();
+    EXPECT_FALSE(report.driver.empty());
+    EXPECT_GE(report.maxStorageBufferRange, uint64_t{1} << 27); // the least Vulkan guarantees
+    EXPECT_GE(report.maxMemoryAllocationSize, uint64_t{1} << 30);
+    EXPECT_GE(report.maxComputeWorkGroupCount[0], 65535u);
+    EXPECT_GT(report.deviceLocalHeapSize, 0u);
+    EXPECT_GT(report.subgroupSize, 0u);
+}
+
+} // namespace
+} // namespace metamarch::vulkan

@@ -1,0 +1,40 @@
+#include "cli/devices_command.h"
+#include "environment.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace metamarch::cli {
+namespace {
+
+// What `metamarch devices ARGUMENTS` prints.
+std::string output(const std::string& arguments) {
+    CLI::App program;
+    addDevicesCommand(program);
+    testing::internal::CaptureStdout();
+    program.parse("devices " + arguments);
+    return testing::internal::GetCapturedStdout();
+}
+
+TEST(DevicesCommand, namesEachDeviceAndMarksOne) {
+    const std::string text = output("");
+    for (const vulkan::DeviceReport& report : vulkan::reportDevices(vulkan::testContext()))
+        EXPECT_NE(text.find(report.name), std::string::npos) << text;
+    EXPECT_NE(text.find("* "), std::string::npos) << text;
+    EXPECT_NE(text.find("maxStorageBufferRange"), std::string::npos) << text;
+}
+
+TEST(DevicesCommand, jsonHasTheLimitsOfTheDefaultDevice) {
+    const auto list = nlohmann::json::parse(output("--json"));
+    const vulkan::DeviceReport& expected = vulkan::testDevice().report();
+    const auto& device = list.at(expected.index);
+    EXPECT_EQ(device.at("name"), expected.name);
+    EXPECT_EQ(device.at("default"), true);
+    EXPECT_EQ(device.at("refusals"), nlohmann::json::array());
+    EXPECT_EQ(device.at("maxStorageBufferRange"), expected.maxStorageBufferRange);
+}
+
+} // namespace
+} // namespace metamarch::cli

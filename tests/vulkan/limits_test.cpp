@@ -1,0 +1,54 @@
+// What is too much for the device is refused by name before the driver sees it.
+#include "affine_kernel.h"
+#include "environment.h"
+#include "expect_error.h"
+#include "vulkan/submission.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace metamarch::vulkan {
+namespace {
+
+TEST(Limits, bufferOverTheAllocationLimit) {
+    const uint64_t size = testDevice().report().maxMemoryAllocationSize + 4;
+    expectError(ExitCode::outOfMemory, "buffer 'table'",
+                [&] { Buffer(testDevice(), BufferUse::storage, size, "table"); });
+}
+
+TEST(Limits, bindingOverTheRangeLimit) {
+    const DeviceReport& report = testDevice().report();
+    const uint64_t size = report.maxStorageBufferRange + 4;
+    if (size > report.maxMemoryAllocationSize || size > report.deviceLocalHeapSize / 2) {
+        GTEST_SKIP() << "no buffer of this device can pass its range limit";
+    }
+    const Buffer table(testDevice(), BufferUse::storage, size, "table");
+    ComputePipeline pipeline = affineKernel(testDevice(), 1);
+    expectError(ExitCode::outOfMemory, "buffer 'table'", [&] { pipeline.bind(kAffineInputs, table); });
+    expectError(ExitCode::outOfMemory, "maxStorageBufferRange", [&] { pipeline.bind(kAffineInputs, table); });
+}
+
+TEST(Limits, moreStorageBuffersThanTheDeviceHas) {
+    KernelInfo info = affineInfo();
+    info.storageBindings.resize(testDevice().report().maxPerStageDescriptorStorageBuffers + size_t{1});
+    std::iota(info.storageBindings.begin(), info.storageBindings.end(), 0u);
+    expectError(ExitCode::noDevice, "kernel 'affine' needs", [&] { ComputePipeline(testDevice(), info); });
+}
+
+TEST(Limits, moreGroupsThanADispatchHolds) {
+    const uint32_t most = testDevice().report().maxComputeWorkGroupCount[0];
+    if (most == UINT32_MAX) {
+        GTEST_SKIP() << "no number passes the limit of this device";
+    }
+    const ComputePipeline pipeline = affineKernel(testDevice(), 1);
+    Submission submission(testDevice());
+    expectError(ExitCode::outOfMemory, "maxComputeWorkGroupCount", [&] {
+        submission.run([&](Commands& commands) {
+            commands.dispatch(pipeline, {most + 1, 1, 1}, AffinePush{});
+        });
+    });
+}
+
+} // namespace
+} // namespace metamarch::vulkan

@@ -1,0 +1,64 @@
+#include "environment.h"
+#include "vulkan/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+namespace metamarch::vulkan {
+namespace {
+
+// Differs at every place a chunk could end up wrongly.
+std::vector<uint32_t> pattern(size_t count) {
+    std::vector<uint32_t> values(count);
+    uint32_t state = 1;
+    for (uint32_t& value : values) {
+        state = state * 1664525u + 1013904223u;
+        value = state;
+    }
+    return values;
+}
+
+TEST(Transfer, bringsBackWhatItUploaded) {
+    const std::vector<uint32_t> values = pattern(1001);
+    const Buffer buffer = upload(testDevice(), std::span(values), "values");
+    EXPECT_EQ(buffer.size(), values.size() * sizeof(uint32_t));
+    EXPECT_EQ(buffer.name(), "values");
+    EXPECT_TRUE(buffer.mapped().empty());
+    EXPECT_EQ(download<uint32_t>(testDevice(), buffer), values);
+}
+
+TEST(Transfer, crossesSeveralChunks) {
+    const std::vector<uint32_t> values = pattern(5 * kTransferChunkSize / (2 * sizeof(uint32_t)) + 3);
+    const Buffer buffer = upload(testDevice(), std::span(values), "values");
+    EXPECT_TRUE(download<uint32_t>(testDevice(), buffer) == values); // no print of megabytes
+}
+
+TEST(Transfer, takesAnyNumberOfBytes) {
+    const std::vector<uint8_t> bytes = {1, 2, 3, 4, 5};
+    const Buffer buffer = upload(testDevice(), std::span(bytes), "bytes");
+    EXPECT_EQ(download<uint8_t>(testDevice(), buffer), bytes);
+}
+
+TEST(Transfer, takesNothing) {
+    const Buffer buffer = upload(testDevice(), std::span<const std::byte>(), "nothing");
+    EXPECT_EQ(buffer.size(), 0u);
+    EXPECT_TRUE(download<uint32_t>(testDevice(), buffer).empty());
+}
+
+TEST(Transfer, writesAndReadsAtAnOffset) {
+    std::vector<uint32_t> values = pattern(100);
+    const Buffer buffer = upload(testDevice(), std::span(values), "values");
+    const std::vector<uint32_t> patch = {7, 8, 9};
+    write(testDevice(), buffer, 40, std::as_bytes(std::span(patch)));
+    std::memcpy(values.data() + 10, patch.data(), sizeof(uint32_t) * patch.size());
+    EXPECT_EQ(download<uint32_t>(testDevice(), buffer), values);
+
+    std::vector<uint32_t> part(2);
+    read(testDevice(), buffer, 44, std::as_writable_bytes(std::span(part)));
+    EXPECT_EQ(part, (std::vector<uint32_t>{8, 9}));
+}
+
+} // namespace
+} // namespace metamarch::vulkan
