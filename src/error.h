@@ -9,10 +9,10 @@ enum class ExitCode {
     done = 0,
     comparisonFailed = 1,
     badArguments = 2,
-    sceneRefused = 3,     // unreadable or refused
-    noDevice = 4,         // no usable device, or device lost
+    sceneRefused = 3, // unreadable or refused
+    noDevice = 4,     // no usable device, or device lost
     outputNotWritable = 5,
-    outOfMemory = 6,      // out of memory or over a limit
+    outOfMemory = 6, // out of memory or over a limit
 };
 
 // One line for the user: what, where, and what to do about it. main() prints it and exits with `code`.

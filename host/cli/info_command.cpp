@@ -21,12 +21,17 @@ std::string triple(const nlohmann::ordered_json& values, const char* separator) 
     if (values.is_null()) {
         return "none";
     }
-    return fmt::format("{}{}{}{}{}", values[0].dump(), separator, values[1].dump(), separator, values[2].dump());
+    return fmt::format("{}{}{}{}{}", values[0].dump(), separator, values[1].dump(), separator,
+                       values[2].dump());
 }
 
 void printText(const nlohmann::ordered_json& report) {
-    const auto line = [](const char* label, const std::string& value) { fmt::print("{:<12} {}\n", label, value); };
-    const auto count = [&](const char* group, const char* key) { return report[group][key].get<std::uint64_t>(); };
+    const auto line = [](const char* label, const std::string& value) {
+        fmt::print("{:<12} {}\n", label, value);
+    };
+    const auto count = [&](const char* group, const char* key) {
+        return report[group][key].get<std::uint64_t>();
+    };
     const auto seconds = [&](const char* key) { return report["seconds"][key].get<double>(); };
     line("vertices", report["vertices"].dump());
     line("triangles", fmt::format("{} ({} degenerate, in no leaf)", report["triangles"].dump(),
@@ -41,8 +46,9 @@ void printText(const nlohmann::ordered_json& report) {
                                static_cast<double>(count("bytes", "tree")) / 0x1p20,
                                static_cast<double>(count("bytes", "table")) / 0x1p20,
                                static_cast<double>(count("bytes", "triangles")) / 0x1p20));
-    line("built in", fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
-                                 seconds("table"), report["trianglesPerSecond"].get<double>()));
+    line("built in",
+         fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
+                     seconds("table"), report["trianglesPerSecond"].get<double>()));
 }
 
 void runInfo(const InfoOptions& options) {
@@ -63,7 +69,8 @@ void runInfo(const InfoOptions& options) {
 } // namespace
 
 void addInfoCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("info", "Show what a scene holds and what tree and table cost");
+    CLI::App* command =
+        program.add_subcommand("info", "Show what a scene holds and what tree and table cost");
     const auto options = std::make_shared<InfoOptions>();
     command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
     command->add_flag("--json", options->json, "Print JSON");

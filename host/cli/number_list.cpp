@@ -72,8 +72,8 @@ glm::uvec2 parseSize(const std::string& option, const std::string& text) {
     }
     const std::uint64_t pixels = std::uint64_t{numbers->front()} * numbers->back();
     if (pixels > kMaxPixels) {
-        throw Error(ExitCode::outOfMemory, fmt::format("{} {}: {} pixels are over the limit of {}", option, text,
-                                                       pixels, kMaxPixels));
+        throw Error(ExitCode::outOfMemory, fmt::format("{} {}: {} pixels are over the limit of {}", option,
+                                                       text, pixels, kMaxPixels));
     }
     return {numbers->front(), numbers->back()};
 }

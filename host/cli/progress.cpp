@@ -1,9 +1,9 @@
 #include "cli/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
+#include <unistd.h>
 #include <utility>
 
 namespace metamarch::cli {
@@ -27,7 +27,8 @@ void Progress::show(const double part) {
     }
     lastDrawn = now;
     const auto filled = static_cast<std::size_t>(part * kWidth);
-    fmt::print(stderr, "\r{} [{:#>{}}{:.>{}}] {:3.0f} %", label, "", filled, "", kWidth - filled, 100.0 * part);
+    fmt::print(stderr, "\r{} [{:#>{}}{:.>{}}] {:3.0f} %", label, "", filled, "", kWidth - filled,
+               100.0 * part);
     std::fflush(stderr);
 }
 

@@ -70,14 +70,16 @@ void checkArguments(const RenderOptions& options) {
         refuse(fmt::format("--vfov {}: give degrees between 0 and 180", *options.verticalFov));
     }
     if (options.backend == "cpu" && !(options.device.empty() && options.traversal.empty())) {
-        refuse("--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are for the gpu");
+        refuse("--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
+               "for the gpu");
     }
 }
 
 SceneCamera chooseCamera(const RenderOptions& options, const Scene& scene, const glm::uvec2 size) {
-    const auto verticalFov = options.verticalFov
-                                 ? std::optional(static_cast<float>(*options.verticalFov * std::numbers::pi / 180.0))
-                                 : std::nullopt;
+    const auto verticalFov =
+        options.verticalFov
+            ? std::optional(static_cast<float>(*options.verticalFov * std::numbers::pi / 180.0))
+            : std::nullopt;
     SceneCamera camera;
     if (!options.eye.empty()) {
         const std::string up = options.up.empty() ? "0,1,0" : options.up;
@@ -97,8 +99,8 @@ double secondsSince(const std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Rendering renderOnCpu(const AccelerationStructure& structure, const ShadingData& shading, const Camera& camera,
-                      const bool quiet) {
+Rendering renderOnCpu(const AccelerationStructure& structure, const ShadingData& shading,
+                      const Camera& camera, const bool quiet) {
     Progress progress("rendering", !quiet);
     std::atomic<unsigned> rows = 0;
     const auto start = std::chrono::steady_clock::now();
@@ -142,7 +144,8 @@ Rendering renderOnGpu(const vulkan::Device& device, const AccelerationStructure&
     return result;
 }
 
-void addHeader(Image& image, const RenderOptions& options, const SceneCamera& camera, const Rendering& rendering) {
+void addHeader(Image& image, const RenderOptions& options, const SceneCamera& camera,
+               const Rendering& rendering) {
     const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     image.attributes = {{"Software", programVersion()},
                         {"metamarch/device", rendering.device},
@@ -222,10 +225,11 @@ void runRender(const RenderOptions& options) {
         writeText(options.statsPath, stats.dump(2) + "\n");
     }
     if (!options.quiet) {
-        fmt::print("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {:.2f} steps and {:.2f} tests per ray\n",
-                   options.outputPath, size.x, size.y, scene.triangles.size(), rendering.traversal, rendering.device,
-                   rendering.driver, rendering.seconds["render"].get<double>(), stats["stepsPerRay"].get<double>(),
-                   stats["testsPerRay"].get<double>());
+        fmt::print(
+            "{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {:.2f} steps and {:.2f} tests per ray\n",
+            options.outputPath, size.x, size.y, scene.triangles.size(), rendering.traversal, rendering.device,
+            rendering.driver, rendering.seconds["render"].get<double>(), stats["stepsPerRay"].get<double>(),
+            stats["testsPerRay"].get<double>());
     }
 }
 
@@ -237,12 +241,15 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
     command->add_option("-o,--output", options->outputPath, "Picture to write: .exr (all channels) or .png")
         ->required();
-    command->add_option("--size", options->size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
+    command->add_option("--size", options->size, "Width and height in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
     command->add_option("--stats", options->statsPath, "Write what it took as JSON")->type_name("FILE.json");
     command->add_flag("--quiet", options->quiet, "Print nothing but errors and warnings");
 
     const std::string cameraGroup = "Camera (default: the scene's first, else the whole scene is framed)";
-    const auto addCameraOption = [&](const char* name, std::string& value, const char* help, const char* type) {
+    const auto addCameraOption = [&](const char* name, std::string& value, const char* help,
+                                     const char* type) {
         command->add_option(name, value, help)->type_name(type)->group(cameraGroup);
     };
     addCameraOption("--camera", options->camera, "A camera of the scene", "NAME|INDEX");
@@ -254,7 +261,8 @@ void addRenderCommand(CLI::App& program) {
         ->group(cameraGroup);
 
     const std::string deviceGroup = "Device";
-    command->add_option("--backend", options->backend, "gpu: Vulkan compute; cpu: the reference, a kd-tree walk")
+    command
+        ->add_option("--backend", options->backend, "gpu: Vulkan compute; cpu: the reference, a kd-tree walk")
         ->check(CLI::IsMember({"gpu", "cpu"}))
         ->capture_default_str()
         ->group(deviceGroup);

@@ -13,14 +13,18 @@ namespace metamarch::cli {
 void StructureOptions::addTo(CLI::App& command) {
     const std::string group = "Tree and table";
     command.add_option("--scale", scaleFactor, "Multiply the scene by S")->type_name("S")->group(group);
-    command.add_option("--tree-depth", treeDepth, "Deepest level of the kd-tree (default: from the triangle count)")
+    command
+        .add_option("--tree-depth", treeDepth,
+                    "Deepest level of the kd-tree (default: from the triangle count)")
         ->type_name("D")
         ->group(group);
     CLI::Option* const unitOption =
         command.add_option("--unit", unit, "Unit length of the lattice in scene units, one or one per axis")
             ->type_name("U|Ux,Uy,Uz")
             ->group(group);
-    command.add_option("--cells", cells, "About how many cells the lattice has (default: from the triangle count)")
+    command
+        .add_option("--cells", cells,
+                    "About how many cells the lattice has (default: from the triangle count)")
         ->type_name("N")
         ->excludes(unitOption)
         ->group(group);
@@ -35,7 +39,8 @@ AccelerationOptions StructureOptions::parse() const {
     if (!unit.empty()) {
         options.unit = parseOneOrThree("--unit", unit);
         if (!(options.unit->x > 0.0 && options.unit->y > 0.0 && options.unit->z > 0.0)) {
-            throw Error(ExitCode::badArguments, fmt::format("--unit {}: a unit length is greater than 0", unit));
+            throw Error(ExitCode::badArguments,
+                        fmt::format("--unit {}: a unit length is greater than 0", unit));
         }
     }
     if (cells && *cells == 0) {
@@ -56,7 +61,8 @@ AccelerationOptions StructureOptions::parse() const {
 float StructureOptions::scale() const {
     const auto factor = static_cast<float>(scaleFactor);
     if (!std::isfinite(factor) || factor == 0.0f) {
-        throw Error(ExitCode::badArguments, fmt::format("--scale {}: give a finite number other than 0", scaleFactor));
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--scale {}: give a finite number other than 0", scaleFactor));
     }
     return factor;
 }

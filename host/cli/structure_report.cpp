@@ -21,8 +21,8 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     const KdTree& tree = structure.tree;
     const Bounds bounds = boundsOf(scene);
     const bool empty = scene.triangles.empty();
-    const auto emptyLeaves = static_cast<std::size_t>(
-        std::count_if(tree.leaves.begin(), tree.leaves.end(), [](const Leaf& leaf) { return leaf.triangleCount == 0; }));
+    const auto emptyLeaves = static_cast<std::size_t>(std::count_if(
+        tree.leaves.begin(), tree.leaves.end(), [](const Leaf& leaf) { return leaf.triangleCount == 0; }));
     const double seconds = structure.treeSeconds + structure.tableSeconds;
 
     nlohmann::ordered_json report;
@@ -44,7 +44,8 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["bytes"]["triangles"] = byteSize(structure.triangleWords);
     report["seconds"]["tree"] = structure.treeSeconds;
     report["seconds"]["table"] = structure.tableSeconds;
-    report["trianglesPerSecond"] = seconds > 0.0 ? static_cast<double>(scene.triangles.size()) / seconds : 0.0;
+    report["trianglesPerSecond"] =
+        seconds > 0.0 ? static_cast<double>(scene.triangles.size()) / seconds : 0.0;
     return report;
 }
 

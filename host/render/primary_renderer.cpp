@@ -20,21 +20,24 @@ void copyTile(const std::span<const PrimaryPixel, kTilePixels> tile, const std::
     const std::uint32_t height = std::min(kTileSide, camera.height - top);
     for (std::uint32_t row = 0; row < height; ++row) {
         std::copy_n(tile.begin() + row * kTileSide, width,
-                    pixels.begin() + static_cast<std::ptrdiff_t>(std::size_t{top + row} * camera.width + left));
+                    pixels.begin() +
+                        static_cast<std::ptrdiff_t>(std::size_t{top + row} * camera.width + left));
     }
 }
 
 } // namespace
 
-PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
-                            const Camera& camera, const std::function<void(double)>& onProgress) {
+PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene,
+                            const std::string& traversal, const Camera& camera,
+                            const std::function<void(double)>& onProgress) {
     const std::uint32_t tilesPerRow = (camera.width + kTileSide - 1) / kTileSide;
     const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
     WorkSize work(std::min(tiles, kMostTiles));
 
     vulkan::ComputePipeline pipeline = scene.makePipeline(device, "primary", traversal, sizeof(PrimaryPush));
     const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
-    const std::uint64_t outputBytes = std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);
+    const std::uint64_t outputBytes =
+        std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);
     const vulkan::Buffer output(device, vulkan::BufferUse::storage, outputBytes, "pixels");
     const vulkan::Buffer readback(device, vulkan::BufferUse::readback, outputBytes, "pixels read back");
     pipeline.bind(kBindInput, input);
@@ -53,8 +56,8 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
         const std::span tilePixels(reinterpret_cast<const PrimaryPixel*>(readback.mapped().data()),
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
-            copyTile(tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>(), firstTile + i, tilesPerRow,
-                     camera, render.pixels);
+            copyTile(tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>(), firstTile + i,
+                     tilesPerRow, camera, render.pixels);
         }
         work.finished(seconds);
         (render.submissions++ == 0 ? render.firstSeconds : render.deviceSeconds) += seconds;

@@ -17,7 +17,8 @@ struct PrimaryRender {
 };
 
 // `onProgress` is told the finished part of the picture, 0..1, after each submission.
-PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
-                            const Camera& camera, const std::function<void(double)>& onProgress);
+PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene,
+                            const std::string& traversal, const Camera& camera,
+                            const std::function<void(double)>& onProgress);
 
 } // namespace metamarch::render

@@ -24,8 +24,9 @@ std::vector<RayResult> traceBatch(const vulkan::Device& device, vulkan::ComputeP
     for (std::uint32_t group = 0; group < groups;) {
         const std::uint32_t count = std::min(work.units(), groups - group);
         const RaysPush push{group * kRaysPerGroup, end};
-        work.finished(submission.run(
-            [&](vulkan::Commands& commands) { commands.dispatch(pipeline, {count, 1, 1}, push); }));
+        work.finished(submission.run([&](vulkan::Commands& commands) {
+            commands.dispatch(pipeline, {count, 1, 1}, push);
+        }));
         group += count;
     }
     return vulkan::download<RayResult>(device, output);
@@ -33,8 +34,8 @@ std::vector<RayResult> traceBatch(const vulkan::Device& device, vulkan::ComputeP
 
 } // namespace
 
-RayTracer::RayTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene, const std::string& traversal,
-                     const bool anyHit)
+RayTracer::RayTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
+                     const std::string& traversal, const bool anyHit)
     : device(usedDevice), pipeline(scene.makePipeline(usedDevice, "rays", traversal, sizeof(RaysPush),
                                                       {{kSpecAnyHit, anyHit ? 1u : 0u}})),
       submission(usedDevice) {}
@@ -43,8 +44,8 @@ std::vector<RayResult> RayTracer::trace(const std::span<const RayQuery> rays) {
     std::vector<RayResult> results;
     results.reserve(rays.size());
     for (std::size_t first = 0; first < rays.size(); first += kBatch) {
-        const std::vector<RayResult> batch =
-            traceBatch(device, pipeline, submission, rays.subspan(first, std::min(kBatch, rays.size() - first)));
+        const std::vector<RayResult> batch = traceBatch(
+            device, pipeline, submission, rays.subspan(first, std::min(kBatch, rays.size() - first)));
         results.insert(results.end(), batch.begin(), batch.end());
     }
     return results;

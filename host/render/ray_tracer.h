@@ -12,7 +12,8 @@ namespace metamarch::render {
 
 class RayTracer {
   public:
-    RayTracer(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal, bool anyHit);
+    RayTracer(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
+              bool anyHit);
 
     // One result per ray, in their order.
     std::vector<RayResult> trace(std::span<const RayQuery> rays);

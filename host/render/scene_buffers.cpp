@@ -19,8 +19,8 @@ const Shader& findShader(const std::string& kernel, const std::string& traversal
             return shader;
         }
     }
-    throw Error(ExitCode::badArguments, fmt::format("--traversal {}: no such traversal; there are: {}", traversal,
-                                                    fmt::join(traversals(), ", ")));
+    throw Error(ExitCode::badArguments, fmt::format("--traversal {}: no such traversal; there are: {}",
+                                                    traversal, fmt::join(traversals(), ", ")));
 }
 
 } // namespace
@@ -55,14 +55,15 @@ SceneBuffers::SceneBuffers(const vulkan::Device& device, const AccelerationStruc
     for (std::uint32_t i = 0; i < kTriangleChunks; ++i) {
         const std::size_t chunkWords = std::size_t{chunks.triangles} * kTriangleWords;
         const std::size_t first = std::min(words.size(), i * chunkWords);
-        add(kBindTriangles + i, words.subspan(first, std::min(chunkWords, words.size() - first)), "triangles");
+        add(kBindTriangles + i, words.subspan(first, std::min(chunkWords, words.size() - first)),
+            "triangles");
     }
 }
 
-vulkan::ComputePipeline SceneBuffers::makePipeline(const vulkan::Device& device, const std::string& kernel,
-                                                   const std::string& traversal,
-                                                   const std::uint32_t pushConstantSize,
-                                                   std::map<std::uint32_t, std::uint32_t> specialization) const {
+vulkan::ComputePipeline
+SceneBuffers::makePipeline(const vulkan::Device& device, const std::string& kernel,
+                           const std::string& traversal, const std::uint32_t pushConstantSize,
+                           std::map<std::uint32_t, std::uint32_t> specialization) const {
     vulkan::KernelInfo info;
     info.name = kernel + "." + traversal;
     info.spirv = findShader(kernel, traversal).spirv;

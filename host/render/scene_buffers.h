@@ -24,10 +24,12 @@ TriangleChunks chunkTriangles(std::uint64_t recordCount, std::uint64_t maxStorag
 class SceneBuffers {
   public:
     // Throws Error(outOfMemory) where the scene does not fit the device, naming the limit.
-    SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure, const ShadingData& shading);
+    SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
+                 const ShadingData& shading);
 
-    // The pipeline of `kernel` with `traversal`, specialized for this scene and with its buffers bound. kBindInput and
-    // kBindOutput are left to the caller. `specialization` holds what the kernel has of its own.
+    // The pipeline of `kernel` with `traversal`, specialized for this scene and with its buffers bound.
+    // kBindInput and kBindOutput are left to the caller. `specialization` holds what the kernel has of its
+    // own.
     vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const std::string& kernel,
                                          const std::string& traversal, std::uint32_t pushConstantSize,
                                          std::map<std::uint32_t, std::uint32_t> specialization = {}) const;

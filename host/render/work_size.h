@@ -5,8 +5,8 @@
 
 namespace metamarch::render {
 
-// GPUs with a watchdog reset a device that is busy for seconds, and progress and Ctrl-C wait for a submission to end:
-// so the seconds of each one decide the size of the next.
+// GPUs with a watchdog reset a device that is busy for seconds, and progress and Ctrl-C wait for a submission
+// to end: so the seconds of each one decide the size of the next.
 class WorkSize {
   public:
     static constexpr double kTargetSeconds = 0.075;
@@ -20,7 +20,8 @@ class WorkSize {
     void finished(const double seconds) {
         if (warm) {
             const double wanted = size * kTargetSeconds / std::max(seconds, 1e-6);
-            size = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
+            size = static_cast<std::uint32_t>(
+                std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
         }
         warm = true;
     }

@@ -23,8 +23,8 @@ layout(std430, binding = kBindTriangles + 5u) readonly buffer TriangleBuffer5 { 
 layout(std430, binding = kBindTriangles + 6u) readonly buffer TriangleBuffer6 { uint triangleWords6[]; };
 layout(std430, binding = kBindTriangles + 7u) readonly buffer TriangleBuffer7 { uint triangleWords7[]; };
 
-// Reads one coordinate or the id of a triangle record. The chunk is chosen by a branch: indexing an array of buffers
-// by a value that differs between invocations needs a feature that lavapipe 22.3 lacks.
+// Reads one coordinate or the id of a triangle record. The chunk is chosen by a branch: indexing an array of
+// buffers by a value that differs between invocations needs a feature that lavapipe 22.3 lacks.
 uint triangleWord(const uint slot, const uint word) {
     if (triangleChunks == 1u) {
         return triangleWords0[slot * kTriangleWords + word];
@@ -73,8 +73,8 @@ Trace startTrace(const Ray ray) { return Trace(Hit(ray.tMax, kNoTriangle), 0u, 0
 // Tests the triangle in `slot` and keeps it where it is closer than what `trace` has.
 void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
     ++trace.tests;
-    const float t = intersectTriangle(ray, triangleCorner(slot, 0u, ray.axes), triangleCorner(slot, 1u, ray.axes),
-                                      triangleCorner(slot, 2u, ray.axes));
+    const float t = intersectTriangle(ray, triangleCorner(slot, 0u, ray.axes),
+                                      triangleCorner(slot, 1u, ray.axes), triangleCorner(slot, 2u, ray.axes));
     if (t != kNoHit && t <= trace.hit.t) {
         const uint triangleId = triangleIdOf(slot);
         if (isCloser(t, triangleId, trace.hit)) {

@@ -5,8 +5,8 @@
 
 SHARED_BEGIN
 
-// A linear camera: perspective where the origin steps are zero, orthographic where the direction steps are. The
-// steps lead from the centre of the picture to its right and lower edge. `forward` is of unit length.
+// A linear camera: perspective where the origin steps are zero, orthographic where the direction steps are.
+// The steps lead from the centre of the picture to its right and lower edge. `forward` is of unit length.
 struct Camera {
     vec3 eye;
     uint width; // pixels

@@ -5,7 +5,8 @@
 
 SHARED_BEGIN
 
-// Longest path from the root to a leaf, in edges. The builder keeps it, so a stack of this size cannot overflow.
+// Longest path from the root to a leaf, in edges. The builder keeps it, so a stack of this size cannot
+// overflow.
 const uint kMaxTreeDepth = 48u;
 
 struct KdNode {

@@ -16,9 +16,9 @@ struct BoxExit {
     ivec3 cell; // the first cell behind it; may lie outside the lattice
 };
 
-// Leaves the box [lo, hi) that `cell` lies in. The cell moves on by at least one in exactly one axis, the one whose
-// plane comes first by ordered comparison, and set from the integer plane; in the others it never moves back: a
-// float position could, by a rounding, and the march would then not end.
+// Leaves the box [lo, hi) that `cell` lies in. The cell moves on by at least one in exactly one axis, the one
+// whose plane comes first by ordered comparison, and set from the integer plane; in the others it never moves
+// back: a float position could, by a rounding, and the march would then not end.
 SHARED_FN BoxExit leaveBox(const Ray ray, const ivec3 lo, const ivec3 hi, const ivec3 cell) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     SHARED_PRECISE const vec3 tPlane = (vec3(mix(lo, hi, upward)) - ray.start) * ray.invStride;

@@ -29,13 +29,16 @@ struct PrimaryPixel {
 
 // `hit` is not a miss; v0, v1, v2 are the corners of its triangle.
 SHARED_FN PrimaryPixel shadePrimary(const Camera camera, const CameraRay view, const Ray ray, const Hit hit,
-                                    const vec3 v0, const vec3 v1, const vec3 v2, const ShadingMaterial material) {
+                                    const vec3 v0, const vec3 v1, const vec3 v2,
+                                    const ShadingMaterial material) {
     const vec3 scaled = scaledNormal(v0, v1, v2);
     // Scaled to 1 first: the square of a small triangle's normal would underflow.
     const vec3 normal = unitVector(scaled / largest(abs(scaled)));
-    SHARED_PRECISE const float cosine = abs(normal.x * view.dir.x + normal.y * view.dir.y + normal.z * view.dir.z);
+    SHARED_PRECISE const float cosine =
+        abs(normal.x * view.dir.x + normal.y * view.dir.y + normal.z * view.dir.z);
     SHARED_PRECISE const float t = ray.shift + hit.t;
-    SHARED_PRECISE const float depth = t * (view.dir.x * camera.forward.x + view.dir.y * camera.forward.y + view.dir.z * camera.forward.z);
+    SHARED_PRECISE const float depth =
+        t * (view.dir.x * camera.forward.x + view.dir.y * camera.forward.y + view.dir.z * camera.forward.z);
     SHARED_PRECISE const vec3 color = material.baseColor * cosine;
 
     PrimaryPixel pixel;

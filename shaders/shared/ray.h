@@ -1,8 +1,9 @@
-// Ray set-up: everything a traversal and a triangle test need of a ray, computed once, the same bits on both sides.
+// Ray set-up: everything a traversal and a triangle test need of a ray, computed once, the same bits on both
+// sides.
 //
-// The origin is first moved to just before the scene box. From there on every coordinate, and so every rounding
-// error, is bounded by the size of the box and no longer by how far away the camera stands; `accel/README.md`
-// builds its proof that no hit is lost on that.
+// The origin is first moved to just before the scene box. From there on every coordinate, and so every
+// rounding error, is bounded by the size of the box and no longer by how far away the camera stands;
+// `accel/README.md` builds its proof that no hit is lost on that.
 #ifndef METAMARCH_SHARED_RAY_H
 #define METAMARCH_SHARED_RAY_H
 #include "shared/scene_layout.h"
@@ -14,20 +15,23 @@ const float kFarthest = 3.0e38f; // stands for infinity, which shaders need not 
 // Room for rounding in distances to the box, relative: 16 ulps. The slab test makes at most 6 roundings.
 const float kBoxRounding = 9.5367431640625e-7f; // 2^-20
 
-// A zero component of a direction counts as this fraction of the largest one, with its own sign, so that every
-// inverse is finite. Over the length of the scene box it moves a ray by far less than the smallest float step.
-const float kSmallestComponent = 8.67361737988403547e-19f; // 2^-60
+// A component of a direction below this fraction of the largest one counts as zero, and a zero has the
+// inverse that this fraction would have, with its own sign: so inverses are finite, and products stay clear
+// of the denormals that devices may flush. Over the length of the scene box it moves a ray by 2^-16 of a
+// float step at most.
+const float kSmallestComponent = 9.09494701772928238e-13f; // 2^-40
 
 // Directions and origins outside these make a ray that hits nothing: products of three of them stay finite.
-const float kMinDirection = 9.09494701772928238e-13f; // 2^-40
-const float kMaxDirection = 1.099511627776e12f;       // 2^40
+const float kMinDirection = 9.09494701772928238e-13f;  // 2^-40
+const float kMaxDirection = 1.099511627776e12f;        // 2^40
 const float kMaxCoordinate = 1.152921504606846976e18f; // 2^60
 
-// Every t counts lengths of dir from `origin`; add `shift` for the distance from the origin that was asked for.
+// Every t counts lengths of dir from `origin`; add `shift` for the distance from the origin that was asked
+// for.
 struct Ray {
     vec3 origin; // world space, in or just before the scene box
     float shift;
-    vec3 dir; // need not be of unit length
+    vec3 dir;   // need not be of unit length; components that count as zero are zero
     float tMin; // a hit has tMin < t <= tMax; tMax < 0: the ray meets nothing
     float tMax;
 
@@ -39,9 +43,9 @@ struct Ray {
     float tFar;
 
     // The triangle test's view along the axis in which dir is largest: Woop, Benthin, Wald 2013, section 3.
-    uvec3 axes; // axes.z is that axis
+    uvec3 axes;   // axes.z is that axis
     vec3 sheared; // origin in the order of `axes`
-    vec3 shear; // dir.x / dir.z, dir.y / dir.z, 1 / dir.z in that order
+    vec3 shear;   // dir.x / dir.z, dir.y / dir.z, 1 / dir.z in that order
     float extent; // longest side of the scene box
 };
 
@@ -50,6 +54,11 @@ SHARED_FN float smallest(const vec3 v) { return min(min(v.x, v.y), v.z); }
 
 SHARED_FN vec3 inOrder(const vec3 v, const uint lastAxis) {
     return lastAxis == 0u ? vec3(v.y, v.z, v.x) : lastAxis == 1u ? vec3(v.z, v.x, v.y) : v;
+}
+
+SHARED_FN vec3 clearSmall(const vec3 v, const float smallestMagnitude) {
+    return vec3(abs(v.x) < smallestMagnitude ? 0.0f : v.x, abs(v.y) < smallestMagnitude ? 0.0f : v.y,
+                abs(v.z) < smallestMagnitude ? 0.0f : v.z);
 }
 
 SHARED_FN float finiteInverse(const float x, const float smallestMagnitude) {
@@ -73,17 +82,19 @@ SHARED_FN vec2 crossLattice(const vec3 start, const vec3 invStride, const uvec3 
     return vec2(largest(min(t0, t1)), far);
 }
 
-SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin, const vec3 dir, const float tMax) {
+SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin, const vec3 dir,
+                      const float tMax) {
     Ray ray;
     const float dirSize = largest(abs(dir));
-    const bool sane = isWithin(dir, kMaxDirection) && dirSize >= kMinDirection && isWithin(origin, kMaxCoordinate) &&
-                      isWithin(tMin, kFarthest) && isWithin(tMax, kFarthest);
+    const bool sane = isWithin(dir, kMaxDirection) && dirSize >= kMinDirection &&
+                      isWithin(origin, kMaxCoordinate) && isWithin(tMin, kFarthest) &&
+                      isWithin(tMax, kFarthest);
 
-    ray.dir = dir;
     const float floorSize = dirSize * kSmallestComponent;
-    const vec3 invDir =
-        vec3(finiteInverse(dir.x, floorSize), finiteInverse(dir.y, floorSize), finiteInverse(dir.z, floorSize));
-    SHARED_PRECISE const vec3 stride = dir * lattice.cellsPerUnit;
+    const vec3 invDir = vec3(finiteInverse(dir.x, floorSize), finiteInverse(dir.y, floorSize),
+                             finiteInverse(dir.z, floorSize));
+    ray.dir = clearSmall(dir, floorSize);
+    SHARED_PRECISE const vec3 stride = ray.dir * lattice.cellsPerUnit;
     SHARED_PRECISE const vec3 invStride = invDir / lattice.cellsPerUnit;
     ray.stride = stride;
     ray.invStride = invStride;
@@ -92,7 +103,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     SHARED_PRECISE const vec3 given = (origin - lattice.origin) * lattice.cellsPerUnit;
     const vec2 reach = crossLattice(given, invStride, lattice.resolution);
     SHARED_PRECISE const float shift = max(reach.x * (1.0f - kBoxRounding), 0.0f);
-    SHARED_PRECISE const vec3 moved = origin + dir * shift;
+    SHARED_PRECISE const vec3 moved = origin + ray.dir * shift;
     ray.shift = shift;
     ray.origin = shift > 0.0f ? moved : origin;
     SHARED_PRECISE const vec3 start = (ray.origin - lattice.origin) * lattice.cellsPerUnit;
@@ -111,7 +122,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     const uint last = size.x >= size.y ? (size.x >= size.z ? 0u : 2u) : (size.y >= size.z ? 1u : 2u);
     ray.axes = uvec3(last == 2u ? 0u : last + 1u, last == 0u ? 2u : last - 1u, last);
     ray.sheared = inOrder(ray.origin, last);
-    const vec3 along = inOrder(dir, last);
+    const vec3 along = inOrder(ray.dir, last);
     SHARED_PRECISE const vec3 shear = vec3(along.x, along.y, 1.0f) / along.z;
     ray.shear = shear;
     ray.extent = lattice.extent;

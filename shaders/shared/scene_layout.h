@@ -15,12 +15,12 @@ const uint kBindLeaves = 1u;
 const uint kBindTable = 2u;
 const uint kBindMaterialOfTriangle = 3u;
 const uint kBindMaterials = 4u;
-const uint kBindInput = 5u;  // what a kernel reads besides the scene
-const uint kBindOutput = 6u; // what it writes
+const uint kBindInput = 5u;     // what a kernel reads besides the scene
+const uint kBindOutput = 6u;    // what it writes
 const uint kBindTriangles = 7u; // the first of kTriangleChunks bindings
 
-// The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it is
-// cut into up to this many buffers of equal size.
+// The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it
+// is cut into up to this many buffers of equal size.
 const uint kTriangleChunks = 8u;
 
 // Specialization constants.
@@ -38,8 +38,8 @@ struct Lattice {
     uint triangleCount; // without degenerate ones
 };
 
-// One leaf: the box of whole cells [lo, hi) a ray may cross once the leaf is tested, and its triangles, which lie
-// together in leaf order.
+// One leaf: the box of whole cells [lo, hi) a ray may cross once the leaf is tested, and its triangles, which
+// lie together in leaf order.
 struct Leaf {
     uint lo; // packCell
     uint hi; // packCell, exclusive
@@ -47,7 +47,8 @@ struct Leaf {
     uint triangleCount;
 };
 
-// A triangle record is kTriangleWords 32-bit words: nine coordinates (v0, v1, v2; world space) and the triangle id.
+// A triangle record is kTriangleWords 32-bit words: nine coordinates (v0, v1, v2; world space) and the
+// triangle id.
 const uint kTriangleWords = 10u;
 const uint kTriangleIdWord = 9u;
 

@@ -6,14 +6,14 @@
 SHARED_BEGIN
 
 struct Hit {
-    float t; // from ray.origin, in lengths of ray.dir
+    float t;         // from ray.origin, in lengths of ray.dir
     uint triangleId; // kNoTriangle for a miss
 };
 
 const float kNoHit = -1.0f; // every real t is positive
 
-// The rounding error of the product p = a * b, exactly. T. J. Dekker, "A floating-point technique for extending the
-// available precision", Numerische Mathematik 18, 1971.
+// The rounding error of the product p = a * b, exactly. T. J. Dekker, "A floating-point technique for
+// extending the available precision", Numerische Mathematik 18, 1971.
 SHARED_FN float productError(const float a, const float b, const float p) {
     const float kSplitter = 4097.0f; // 2^12 + 1 cuts a 24-bit significand in two
     SHARED_PRECISE const float aBig = a * kSplitter;
@@ -38,13 +38,13 @@ SHARED_FN float differenceOfProducts(const float a, const float b, const float c
 // S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 //
 // Watertight: shearing moves each vertex to a place of its own in the plane, the same for every triangle that
-// shares it. The sign of a rounded a * b - c * d is never the wrong one, as rounding is monotone; it can only be
-// zero too often, and zero counts as inside. So of two triangles at an edge at least one is hit.
+// shares it. The sign of a rounded a * b - c * d is never the wrong one, as rounding is monotone; it can only
+// be zero too often, and zero counts as inside. So of two triangles at an edge at least one is hit.
 //
-// The hit lies at the triangle: the weights U, V, W are all of one sign, so t lies between the depths of the three
-// vertices, and the ray's point at t is off the triangle by at most about 9 ulps of L^3 / |det|, L being the
-// largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the weights are
-// computed again without cancellation. accel/README.md says who relies on it.
+// The hit lies at the triangle: the weights U, V, W are all of one sign, so t lies between the depths of the
+// three vertices, and the ray's point at t is off the triangle by at most about 9 ulps of L^3 / |det|, L
+// being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
+// weights are computed again without cancellation. accel/README.md says who relies on it.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
     SHARED_PRECISE const vec3 a = v0 - ray.sheared;
     SHARED_PRECISE const vec3 b = v1 - ray.sheared;
@@ -83,8 +83,8 @@ SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, c
     return t > ray.tMin ? t : kNoHit;
 }
 
-// A triangle whose normal is smaller than this in every component has no direction in floats: it is degenerate, and
-// kept out of every structure.
+// A triangle whose normal is smaller than this in every component has no direction in floats: it is
+// degenerate, and kept out of every structure.
 const float kSmallestNormal = 7.88860905221011805e-31f; // 2^-100
 
 // The geometric normal times twice the area, towards the side from which v0, v1, v2 run counter-clockwise.
@@ -96,8 +96,8 @@ SHARED_FN vec3 scaledNormal(const vec3 v0, const vec3 v1, const vec3 v2) {
     return normal;
 }
 
-// The order of hits: the nearer one, of two at the same t the one with the smaller id. So the closest hit does not
-// depend on the order in which triangles are tested.
+// The order of hits: the nearer one, of two at the same t the one with the smaller id. So the closest hit
+// does not depend on the order in which triangles are tested.
 SHARED_FN bool isCloser(const float t, const uint triangleId, const Hit best) {
     return t < best.t || (t == best.t && triangleId < best.triangleId);
 }

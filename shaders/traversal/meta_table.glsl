@@ -1,12 +1,16 @@
 // Marches the meta table: one look-up per leaf crossed, no stack, no tree.
 //
-// The ray's cell names its leaf; the leaf is tested; the ray leaves the leaf's exit box through one of the three
-// far planes into the next cell. Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table"; integer
-// stepping after Pérard-Gayot, Kalojanov, Slusallek, "GPU Ray Tracing using Irregular Grids", 2017.
+// The ray's cell names its leaf; the leaf is tested; the ray leaves the leaf's exit box through one of the
+// three far planes into the next cell. Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta
+// Table"; integer stepping after Pérard-Gayot, Kalojanov, Slusallek, "GPU Ray Tracing using Irregular Grids",
+// 2017.
 //
-// Why it ends:    leaveBox moves the cell on by at least one in one axis and never back in the others, and the loop
-//                 ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats.
-// What it costs:  per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory per
+// Why it ends:    leaveBox moves the cell on by at least one in one axis and never back in the others, and
+// the loop
+//                 ends outside the lattice: at most the sum of the three resolutions in steps, whatever the
+//                 floats.
+// What it costs:  per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory
+// per
 //                 ray.
 // Ties:           of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
 

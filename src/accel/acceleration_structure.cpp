@@ -40,7 +40,8 @@ std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
     return ids;
 }
 
-std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene, const std::vector<std::uint32_t>& triangleIds) {
+std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene,
+                                               const std::vector<std::uint32_t>& triangleIds) {
     std::vector<std::uint32_t> words(triangleIds.size() * kTriangleWords);
     tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t slot) {
         std::uint32_t* const record = &words[slot * kTriangleWords];
@@ -57,7 +58,8 @@ std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene, const std::ve
 
 AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options) {
     const std::vector<std::uint32_t> ids = solidTriangles(scene);
-    const unsigned depth = options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(ids.size())));
+    const unsigned depth =
+        options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(ids.size())));
     if (depth > kMaxTreeDepth) {
         throw Error(ExitCode::badArguments,
                     fmt::format("--tree-depth {} is over the limit of {}", depth, kMaxTreeDepth));
@@ -65,7 +67,8 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
 
     AccelerationStructure result;
     result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
-    const LatticeChoice choice = makeLattice(boundsOf(scene), static_cast<std::uint32_t>(ids.size()), options);
+    const LatticeChoice choice =
+        makeLattice(boundsOf(scene), static_cast<std::uint32_t>(ids.size()), options);
     result.lattice = choice.lattice;
     result.unit = choice.unit;
 

@@ -13,7 +13,7 @@ struct AccelerationStructure {
     Lattice lattice;
     glm::dvec3 unit; // LatticeChoice::unit
     KdTree tree;
-    std::vector<std::uint32_t> leafOfCell;   // the meta table
+    std::vector<std::uint32_t> leafOfCell;    // the meta table
     std::vector<std::uint32_t> triangleWords; // kTriangleWords per entry of tree.leafTriangles
 
     std::uint32_t degenerateTriangles = 0; // of the scene, in no leaf
@@ -25,7 +25,8 @@ struct AccelerationStructure {
 AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options);
 
 // The records of `triangleIds`, kTriangleWords each.
-std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene, const std::vector<std::uint32_t>& triangleIds);
+std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene,
+                                               const std::vector<std::uint32_t>& triangleIds);
 
 // Ids of the triangles that have a normal in single precision, ascending: those that rays can meet.
 std::vector<std::uint32_t> solidTriangles(const Scene& scene);

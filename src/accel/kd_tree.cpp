@@ -59,7 +59,8 @@ class Builder {
     }
 
   private:
-    std::unique_ptr<BuildNode> buildNode(const CellRange& box, References references, const unsigned depth) const {
+    std::unique_ptr<BuildNode> buildNode(const CellRange& box, References references,
+                                         const unsigned depth) const {
         auto node = std::make_unique<BuildNode>();
         node->box = box;
         const std::optional<Split> split =
@@ -142,8 +143,8 @@ glm::uvec3 toCell(const CellCorner& corner) { return {corner[0], corner[1], corn
 
 void refuseOver32Bits(const std::size_t count, const char* what) {
     if (count >= (std::size_t{1} << 30u)) {
-        throw Error(ExitCode::outOfMemory,
-                    std::string("the kd-tree has more than 2^30 ") + what + "; choose a smaller --tree-depth or --cells");
+        throw Error(ExitCode::outOfMemory, std::string("the kd-tree has more than 2^30 ") + what +
+                                               "; choose a smaller --tree-depth or --cells");
     }
 }
 

@@ -10,19 +10,19 @@
 namespace metamarch {
 
 struct KdTree {
-    std::vector<KdNode> nodes;             // depth-first, the root first
-    std::vector<Leaf> leaves;              // [leafId]; their triangles lie one after the other in leafTriangles
+    std::vector<KdNode> nodes; // depth-first, the root first
+    std::vector<Leaf> leaves;  // [leafId]; their triangles lie one after the other in leafTriangles
     std::vector<std::uint32_t> leafTriangles; // triangle ids in leaf order, ascending within a leaf
-    unsigned depth = 0;                    // edges on the longest path
+    unsigned depth = 0;                       // edges on the longest path
 };
 
-// The depth limit that Pharr & Humphreys suggest, 8 + 1.3 log2(n) (Physically Based Rendering, 2004, section 4.5), at
-// most kMaxTreeDepth.
+// The depth limit that Pharr & Humphreys suggest, 8 + 1.3 log2(n) (Physically Based Rendering, 2004,
+// section 4.5), at most kMaxTreeDepth.
 unsigned defaultTreeDepth(std::uint32_t triangleCount);
 
-// Builds the tree over the triangles (`corners[i]` in lattice space belongs to `triangleIds[i]`, ascending) down to
-// `maxDepth` <= kMaxTreeDepth. Parallel; the tree does not depend on the number of threads.
-// Throws Error(outOfMemory) where references or nodes pass 32 bits.
+// Builds the tree over the triangles (`corners[i]` in lattice space belongs to `triangleIds[i]`, ascending)
+// down to `maxDepth` <= kMaxTreeDepth. Parallel; the tree does not depend on the number of threads. Throws
+// Error(outOfMemory) where references or nodes pass 32 bits.
 KdTree buildKdTree(const Lattice& lattice, std::span<const LatticeTriangle> corners,
                    std::span<const std::uint32_t> triangleIds, unsigned maxDepth);
 

@@ -29,7 +29,8 @@ glm::dvec3 cellCounts(const glm::dvec3 extent, const glm::dvec3 unit) {
 
 double product(const glm::dvec3 v) { return v.x * v.y * v.z; }
 
-// The smallest cubic unit with at most `cells` cells in all and kMaxLatticeResolution on an axis, by bisection.
+// The smallest cubic unit with at most `cells` cells in all and kMaxLatticeResolution on an axis, by
+// bisection.
 glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
     const double longest = std::max({extent.x, extent.y, extent.z});
     double tooSmall = longest / kMaxLatticeResolution * 0.5;
@@ -46,19 +47,23 @@ glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
 void refuseOverLimit(const glm::dvec3 counts, const glm::dvec3 extent) {
     const double longest = std::max({counts.x, counts.y, counts.z});
     if (longest > kMaxLatticeResolution) {
-        throw Error(ExitCode::outOfMemory,
-                    fmt::format("the unit length asks for {:.0f} x {:.0f} x {:.0f} cells, and a lattice has at most {} "
-                                "on an axis; choose a unit of at least {:.6g}",
-                                counts.x, counts.y, counts.z, kMaxLatticeResolution,
-                                std::max({extent.x, extent.y, extent.z}) / kMaxLatticeResolution));
+        throw Error(
+            ExitCode::outOfMemory,
+            fmt::format(
+                "the unit length asks for {:.0f} x {:.0f} x {:.0f} cells, and a lattice has at most {} "
+                "on an axis; choose a unit of at least {:.6g}",
+                counts.x, counts.y, counts.z, kMaxLatticeResolution,
+                std::max({extent.x, extent.y, extent.z}) / kMaxLatticeResolution));
     }
     const double bytes = product(counts) * sizeof(std::uint32_t);
     if (bytes > static_cast<double>(kTableBudget)) {
-        throw Error(ExitCode::outOfMemory,
-                    fmt::format("a meta table of {:.0f} x {:.0f} x {:.0f} cells takes {:.0f} MiB, more than the {} MiB "
-                                "allowed; choose a larger --unit or --cells below {}",
-                                counts.x, counts.y, counts.z, bytes / 0x1p20, kTableBudget >> 20u,
-                                kTableBudget / sizeof(std::uint32_t)));
+        throw Error(
+            ExitCode::outOfMemory,
+            fmt::format(
+                "a meta table of {:.0f} x {:.0f} x {:.0f} cells takes {:.0f} MiB, more than the {} MiB "
+                "allowed; choose a larger --unit or --cells below {}",
+                counts.x, counts.y, counts.z, bytes / 0x1p20, kTableBudget >> 20u,
+                kTableBudget / sizeof(std::uint32_t)));
     }
 }
 
@@ -73,9 +78,11 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     const glm::dvec3 extent = hi - lo;
     const double longest = std::max({extent.x, extent.y, extent.z});
     if (longest < kMinExtent || longest > kMaxExtent) {
-        throw Error(ExitCode::sceneRefused,
-                    fmt::format("the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; use --scale",
-                                longest, kMinExtent, kMaxExtent));
+        throw Error(
+            ExitCode::sceneRefused,
+            fmt::format(
+                "the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; use --scale",
+                longest, kMinExtent, kMaxExtent));
     }
 
     LatticeChoice choice;
@@ -87,19 +94,21 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
         const double automatic = std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMaxCells);
         const double cells = options.cells ? static_cast<double>(*options.cells) : automatic;
         if (cells * sizeof(std::uint32_t) > static_cast<double>(kTableBudget)) {
-            throw Error(ExitCode::outOfMemory,
-                        fmt::format("a meta table of {:.0f} cells takes {:.0f} MiB, more than the {} MiB allowed; choose "
-                                    "--cells below {}",
-                                    cells, cells * sizeof(std::uint32_t) / 0x1p20, kTableBudget >> 20u,
-                                    kTableBudget / sizeof(std::uint32_t)));
+            throw Error(
+                ExitCode::outOfMemory,
+                fmt::format(
+                    "a meta table of {:.0f} cells takes {:.0f} MiB, more than the {} MiB allowed; choose "
+                    "--cells below {}",
+                    cells, cells * sizeof(std::uint32_t) / 0x1p20, kTableBudget >> 20u,
+                    kTableBudget / sizeof(std::uint32_t)));
         }
         choice.unit = unitForCells(extent, cells);
     }
     const glm::dvec3 counts = cellCounts(extent, choice.unit);
     refuseOverLimit(counts, extent);
 
-    // The rounded origin and scale are the lattice; everything else follows them. Far from the world's origin the
-    // padding must also cover the rounding of positions.
+    // The rounded origin and scale are the lattice; everything else follows them. Far from the world's origin
+    // the padding must also cover the rounding of positions.
     Lattice& lattice = choice.lattice;
     lattice.resolution = glm::uvec3(counts);
     lattice.cellCount = lattice.resolution.x * lattice.resolution.y * lattice.resolution.z;

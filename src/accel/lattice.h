@@ -6,8 +6,8 @@
 
 namespace metamarch {
 
-// Every triangle is listed in each leaf that comes this near to it, as a fraction of the lattice's longest side:
-// 64 half-ulps. README.md in this folder adds up the roundings it has to cover.
+// Every triangle is listed in each leaf that comes this near to it, as a fraction of the lattice's longest
+// side: 64 half-ulps. README.md in this folder adds up the roundings it has to cover.
 inline constexpr double kReferenceMargin = 0x1p-18;
 
 // The lattice keeps geometry this far inside, in the same measure.
@@ -24,9 +24,10 @@ struct LatticeChoice {
 
 // The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
 // ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides.
-// Throws Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory) for
-// more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
-LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount, const AccelerationOptions& options);
+// Throws Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory)
+// for more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
+LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
+                          const AccelerationOptions& options);
 
 // World to lattice space, in double precision: exactly the map that the shaders round.
 glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);

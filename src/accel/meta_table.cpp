@@ -13,8 +13,8 @@ std::vector<std::uint32_t> buildMetaTable(const Lattice& lattice, const std::spa
         const ivec3 hi = unpackCell(leaves[leafId].hi);
         for (int z = lo.z; z < hi.z; ++z) {
             for (int y = lo.y; y < hi.y; ++y) {
-                std::fill_n(leafOfCell.begin() + cellIndex(ivec3(lo.x, y, z), lattice.resolution), hi.x - lo.x,
-                            static_cast<std::uint32_t>(leafId));
+                std::fill_n(leafOfCell.begin() + cellIndex(ivec3(lo.x, y, z), lattice.resolution),
+                            hi.x - lo.x, static_cast<std::uint32_t>(leafId));
             }
         }
     });

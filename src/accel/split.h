@@ -20,13 +20,15 @@ struct Split {
     double cost;         // expected cost of a ray that crosses the node, in triangle tests
 };
 
-// What the structure costs a ray, in units of one triangle test. Chosen by measurement: README.md in this folder.
+// What the structure costs a ray, in units of one triangle test. Chosen by measurement: README.md in this
+// folder.
 inline constexpr double kStepCost = 1.5;
 inline constexpr double kEmptyBonus = 0.2; // part of the cost that a split saves by cutting off empty space
 
-// The cheapest split, or nothing when the node is one cell wide in every axis. Of equal costs the lowest axis and
-// plane win. J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The Visual
-// Computer 6(3), 1990; empty-space bonus after Pharr & Humphreys, Physically Based Rendering, 2004, section 4.5.
+// The cheapest split, or nothing when the node is one cell wide in every axis. Of equal costs the lowest axis
+// and plane win. J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The
+// Visual Computer 6(3), 1990; empty-space bonus after Pharr & Humphreys, Physically Based Rendering, 2004,
+// section 4.5.
 std::optional<Split> findSplit(std::span<const TriangleReference> references, const CellRange& box,
                                const glm::dvec3& cellSize);
 

@@ -18,9 +18,11 @@ struct CellRange {
 
 using LatticeTriangle = std::array<glm::dvec3, 3>; // corners in lattice space
 
-// The range of cells in the box lo..hi (inclusive) that come within `margin` (cells per axis) of the triangle, or
-// nothing when none does. I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, against the
-// box grown by the margin, in double precision: its own roundings are 2^-29 of the margin.
-std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box, const glm::dvec3& margin);
+// The range of cells in the box lo..hi (inclusive) that come within `margin` (cells per axis) of the
+// triangle, or nothing when none does. I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", CACM
+// 17(1), 1974, against the box grown by the margin, in double precision: its own roundings are 2^-29 of the
+// margin.
+std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
+                                      const glm::dvec3& margin);
 
 } // namespace metamarch

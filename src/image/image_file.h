@@ -8,7 +8,7 @@ namespace metamarch {
 
 // Writes by the ending of the name; the file appears only when it is complete (see OutputFile).
 //   .exr  every channel under its own name, 32-bit float, zip-compressed; the attributes in the header.
-//   .png  the channels R, G, B and, where there is one, A, tone-mapped to 8-bit sRGB (see toneMapped).
+//   .png  the channels R, G, B and, where there is one, A, tone-mapped to 8-bit sRGB (see tone_mapping.h).
 // Error(badArguments): another ending, or a PNG of a picture without R, G and B.
 // Error(outputNotWritable): no such folder, no permission, disk full.
 void writeImage(const Image& image, const std::filesystem::path& path);

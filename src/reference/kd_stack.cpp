@@ -25,8 +25,9 @@ TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, con
     float tNear = ray.tNear;
     float tFar = ray.tFar;
 
-    // Holds here: every triangle that the ray meets before tNear has been tested; the stack holds what lies behind
-    // tFar, nearest on top. Each turn goes one node down or takes one off the stack, so it ends with the tree.
+    // Holds here: every triangle that the ray meets before tNear has been tested; the stack holds what lies
+    // behind tFar, nearest on top. Each turn goes one node down or takes one off the stack, so it ends with
+    // the tree.
     while (true) {
         ++trace.steps;
         const KdNode node = scene.tree.nodes[nodeId];

@@ -7,7 +7,8 @@
 namespace metamarch {
 namespace {
 
-PrimaryPixel renderPixel(const AccelerationStructure& structure, const std::span<const ShadingMaterial> materials,
+PrimaryPixel renderPixel(const AccelerationStructure& structure,
+                         const std::span<const ShadingMaterial> materials,
                          const std::span<const std::uint32_t> materialOfTriangle, const Camera& camera,
                          const uint x, const uint y) {
     const CameraRay view = cameraRay(camera, x, y);
@@ -18,7 +19,8 @@ PrimaryPixel renderPixel(const AccelerationStructure& structure, const std::span
         constexpr auto kAxes = uvec3(0, 1, 2);
         const std::span<const std::uint32_t> words = structure.triangleWords;
         pixel = shadePrimary(camera, view, ray, trace.hit, triangleCorner(words, trace.slot, 0, kAxes),
-                             triangleCorner(words, trace.slot, 1, kAxes), triangleCorner(words, trace.slot, 2, kAxes),
+                             triangleCorner(words, trace.slot, 1, kAxes),
+                             triangleCorner(words, trace.slot, 2, kAxes),
                              materials[materialOfTriangle[trace.hit.triangleId]]);
     }
     pixel.steps = trace.steps;
@@ -31,10 +33,10 @@ PrimaryPixel renderPixel(const AccelerationStructure& structure, const std::span
 std::vector<PrimaryPixel> renderPrimary(const AccelerationStructure& structure,
                                         const std::span<const ShadingMaterial> materials,
                                         const std::span<const std::uint32_t> materialOfTriangle,
-                                        const Camera& camera, const std::function<void(unsigned rows)>& onRows) {
+                                        const Camera& camera,
+                                        const std::function<void(unsigned rows)>& onRows) {
     std::vector<PrimaryPixel> pixels(std::size_t{camera.width} * camera.height);
     tbb::parallel_for(0u, camera.height, [&](const uint y) {
-        const FlushDenormals flush;
         for (uint x = 0; x < camera.width; ++x) {
             pixels[std::size_t{y} * camera.width + x] =
                 renderPixel(structure, materials, materialOfTriangle, camera, x, y);

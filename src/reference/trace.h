@@ -1,5 +1,5 @@
-// The judges: ways to find a ray's hit on the CPU. All of them read the same records with the same triangle test and
-// must name the same triangle at the same t, to the bit.
+// The judges: ways to find a ray's hit on the CPU. All of them read the same records with the same triangle
+// test and must name the same triangle at the same t, to the bit.
 #pragma once
 #include "accel/acceleration_structure.h"
 #include "shared/ray.h"
@@ -19,28 +19,16 @@ struct TraceResult {
     std::uint32_t tests = 0; // triangle tests
 };
 
-// Tests every one of `triangleWords` (makeTriangleRecords of every solid triangle). Judges the other judges: it knows
-// neither tree nor table.
+// Tests every one of `triangleWords` (makeTriangleRecords of every solid triangle). Judges the other judges:
+// it knows neither tree nor table.
 TraceResult traceBruteForce(std::span<const std::uint32_t> triangleWords, const Ray& ray, HitQuery query);
 
-// The classic walk of the kd-tree with a stack: the paper's figures 3 and 4, with the closest hit made safe against
-// triangles that reach past their leaf. Visits are inner nodes and leaves.
+// The classic walk of the kd-tree with a stack: the paper's figures 3 and 4, with the closest hit made safe
+// against triangles that reach past their leaf. Visits are inner nodes and leaves.
 TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
 
 // The march through the meta table, step for step what shaders/traversal/meta_table.glsl does. Throws
 // std::logic_error where an invariant of the march is broken.
 TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
-
-// Makes denormal results zero while it lives, on this thread, where lavapipe does so (x86).
-class FlushDenormals {
-  public:
-    FlushDenormals();
-    ~FlushDenormals();
-    FlushDenormals(const FlushDenormals&) = delete;
-    FlushDenormals& operator=(const FlushDenormals&) = delete;
-
-  private:
-    unsigned saved;
-};
 
 } // namespace metamarch

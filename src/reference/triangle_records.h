@@ -18,9 +18,9 @@ inline vec3 triangleCorner(const std::span<const std::uint32_t> words, const std
 inline void testTriangle(const std::span<const std::uint32_t> words, const Ray& ray, const std::uint32_t slot,
                          TraceResult& trace) {
     ++trace.tests;
-    const float t = intersectTriangle(ray, triangleCorner(words, slot, 0, ray.axes),
-                                      triangleCorner(words, slot, 1, ray.axes),
-                                      triangleCorner(words, slot, 2, ray.axes));
+    const float t =
+        intersectTriangle(ray, triangleCorner(words, slot, 0, ray.axes),
+                          triangleCorner(words, slot, 1, ray.axes), triangleCorner(words, slot, 2, ray.axes));
     const std::uint32_t triangleId = words[std::size_t{slot} * kTriangleWords + kTriangleIdWord];
     if (t != kNoHit && isCloser(t, triangleId, trace.hit)) {
         trace.hit = {t, triangleId};

@@ -68,7 +68,7 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, const SceneFile& file, 
                            int accessor, int type)
     : file_(file), label_(label + ": accessor " + std::to_string(accessor)) {
     if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size())
-        refuse("does not exist, there are " + std::to_string(model.accessors.size()));
+        file_.refuse(label_ + " does not exist, there are " + std::to_string(model.accessors.size()));
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     count_ = source.count;
     componentType_ = source.componentType;

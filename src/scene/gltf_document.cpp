@@ -131,7 +131,7 @@ void checkObjects(const SceneFile& file, const Json& root) {
 std::string checkedJson(SceneFile& file, Json root) {
     checkVersion(file, root);
     checkExtensions(file, root);
-    for (const char* unread : {"animations", "extensions", "images", "samplers", "textures"})
+    for (const char* unread : {"animations", "extensions", "images", "samplers", "skins", "textures"})
         root.erase(unread);
     checkObjects(file, root);
     checkIntegers(file, root, "", "");

@@ -181,6 +181,27 @@ void compareCounts(const SceneFile& file, const aiScene& source, const MeshCount
                     " and " + std::to_string(found.faces) + " can be used");
 }
 
+// Triangulation reads whatever an index names, and aborts where a polygon without corners leaves it nothing
+// to do.
+void checkFaces(const SceneFile& file, const aiScene& source) {
+    for (std::uint32_t i = 0; i < source.mNumMeshes; ++i) {
+        const aiMesh& mesh = *source.mMeshes[i];
+        for (std::uint32_t j = 0; j < mesh.mNumFaces; ++j) {
+            const std::span<const unsigned int> indices(mesh.mFaces[j].mIndices, mesh.mFaces[j].mNumIndices);
+            const auto face = [&] {
+                return elementName("mesh", mesh.mName.C_Str(), i) + ": face " + std::to_string(j);
+            };
+            if (indices.empty())
+                file.refuse(face() + " has no corners");
+            for (const unsigned int index : indices) {
+                if (index >= mesh.mNumVertices)
+                    file.refuse(face() + ": index " + std::to_string(index) + " is out of range, there are " +
+                                std::to_string(mesh.mNumVertices) + " vertices");
+            }
+        }
+    }
+}
+
 } // namespace
 
 Scene importMesh(SceneFile& file, const std::string& ending, double scale) {
@@ -191,8 +212,10 @@ Scene importMesh(SceneFile& file, const std::string& ending, double scale) {
     const aiScene* source = importer.ReadFile(file.path().string(), 0);
     if (source != nullptr && checked)
         compareCounts(file, *source, *checked); // before polygons become triangles
-    if (source != nullptr)
+    if (source != nullptr) {
+        checkFaces(file, *source);
         source = importer.ApplyPostProcessing(aiProcess_Triangulate);
+    }
     if (source == nullptr)
         file.refuse(std::string("not ") + ending.substr(1) + ": " + importer.GetErrorString());
     return MeshImporter(*source, file, ending, scale).import();

@@ -147,6 +147,7 @@ class BodyChecker {
             for (std::uint64_t i = 0; i < element.count; ++i) {
                 at_ = &element;
                 index_ = i;
+                beginElement();
                 for (const Property& property : element.properties)
                     checkProperty(property);
             }
@@ -161,7 +162,7 @@ class BodyChecker {
         }
         const double entries = readNumber(*property.listCount);
         if (!(entries >= 0.0))
-            refuse("a list has " + std::to_string(entries) + " entries");
+            refuse("a list has " + std::to_string(static_cast<std::int64_t>(entries)) + " entries");
         const bool indexesVertices = property.name == "vertex_indices" || property.name == "vertex_index";
         for (double entry = 0.0; entry < entries; ++entry) {
             const double value = readNumber(property.type);
@@ -176,18 +177,29 @@ class BodyChecker {
         return header_.encoding == Encoding::text ? readWord() : readBytes(type);
     }
 
-    double readWord() {
+    // Of a text, where Assimp reads each element from a line of its own: so does this, lest the two disagree.
+    void beginElement() {
+        if (header_.encoding != Encoding::text)
+            return;
         rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
-        if (rest_.starts_with('+'))
-            rest_.remove_prefix(1);
-        double number = 0.0;
-        const auto [end, failure] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), number);
         if (rest_.empty())
             refuse("the file ends here");
+        line_ = rest_.substr(0, rest_.find('\n'));
+        rest_.remove_prefix(line_.size());
+    }
+
+    double readWord() {
+        line_.remove_prefix(std::min(line_.find_first_not_of(" \t\r"), line_.size()));
+        if (line_.starts_with('+'))
+            line_.remove_prefix(1);
+        if (line_.empty())
+            refuse("the line ends here");
+        double number = 0.0;
+        const auto [end, failure] = std::from_chars(line_.data(), line_.data() + line_.size(), number);
         // result_out_of_range is a number too small or too large for a double, yet well written
         if (failure == std::errc::invalid_argument)
             refuse("not a number");
-        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        line_.remove_prefix(static_cast<std::size_t>(end - line_.data()));
         return number;
     }
 
@@ -215,6 +227,7 @@ class BodyChecker {
     const SceneFile& file_;
     const Header& header_;
     std::string_view rest_;
+    std::string_view line_; // of a text, what is left of the element's
     const Element* at_ = nullptr;
     std::uint64_t index_ = 0;
 };

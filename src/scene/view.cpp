@@ -40,8 +40,8 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
     for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
         names.push_back(fmt::format("{} '{}'", i, scene.cameras[i].name));
     }
-    throw Error(ExitCode::badArguments, fmt::format("--camera {}: no such camera; the scene has {}", selection,
-                                                    fmt::join(names, ", ")));
+    throw Error(ExitCode::badArguments, fmt::format("--camera {}: no such camera; the scene has {}",
+                                                    selection, fmt::join(names, ", ")));
 }
 
 SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {

@@ -11,14 +11,16 @@ namespace metamarch {
 // Rounded from 45 degrees; what a picture without a camera of its own is taken with.
 inline constexpr float kDefaultVerticalFov = 0.785398163f;
 
-// The camera `selection` names: its index in the file or its name. Throws Error(badArguments) listing the cameras.
+// The camera `selection` names: its index in the file or its name. Throws Error(badArguments) listing the
+// cameras.
 const SceneCamera& selectCamera(const Scene& scene, const std::string& selection);
 
-// Looks at `target` from `eye`. Throws Error(badArguments) where the two are one point or `up` is along the view.
+// Looks at `target` from `eye`. Throws Error(badArguments) where the two are one point or `up` is along the
+// view.
 SceneCamera lookAt(glm::vec3 eye, glm::vec3 target, glm::vec3 up);
 
-// Sees the whole of `bounds` from the front, a little from the right and above, in a picture of `aspect` (width /
-// height). An empty box is looked at as if it were the unit cube.
+// Sees the whole of `bounds` from the front, a little from the right and above, in a picture of `aspect`
+// (width / height). An empty box is looked at as if it were the unit cube.
 SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect);
 
 // `width` and `height` in pixels.

@@ -1,8 +1,8 @@
-#include "expect_error.h"
 #include "file_size_limit.h"
+#include "fixtures/expect_error.h"
+#include "fixtures/temporary_folder.h"
 #include "image/image_file.h"
 #include "image/output_file.h"
-#include "temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -87,8 +87,8 @@ TEST(ImageFile, ExrKeepsTheAttributes) {
     const TemporaryFolder folder;
     Image image(1, 1, {"R"});
     image.attributes = {{"Software", "metamarch 0.1.0"},
-                        {"metamarch:device", "llvmpipe (LLVM 15.0.6, 256 bits)"},
-                        {"metamarch:scene", "Grüße.glb"}};
+                        {"metamarch/device", "llvmpipe (LLVM 15.0.6, 256 bits)"},
+                        {"metamarch/scene", "Grüße.glb"}};
     writeImage(image, folder / "a.exr");
     const Image read = readImage(folder / "a.exr");
     for (const auto& attribute : image.attributes)

@@ -1,7 +1,7 @@
-#include "expect_error.h"
 #include "file_size_limit.h"
+#include "fixtures/expect_error.h"
+#include "fixtures/temporary_folder.h"
 #include "image/output_file.h"
-#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "scene/gltf_file.h"
 
 #include "error.h"
-#include "image/expect_error.h"
+#include "fixtures/expect_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Small glTF files, written by the test that reads them.
 #pragma once
-#include "image/temporary_folder.h"
+#include "fixtures/temporary_folder.h"
 #include "scene/import.h"
 
 #include <nlohmann/json.hpp>
@@ -12,15 +12,17 @@
 
 namespace metamarch {
 
-// A glTF with one buffer, kept in scene.bin, and by default one node with one mesh. Tests change `root` at will.
+// A glTF with one buffer, kept in scene.bin, and by default one node with one mesh. Tests change `root` at
+// will.
 class GltfFile {
   public:
-    nlohmann::json root = {{"asset", {{"version", "2.0"}}},
-                           {"scenes", {{{"nodes", {0}}}}},
-                           {"nodes", {{{"mesh", 0}}}},
-                           {"meshes", {{{"name", "body"}, {"primitives", {nlohmann::json::object()}}}}},
-                           {"accessors", nlohmann::json::array()},
-                           {"bufferViews", nlohmann::json::array()}};
+    nlohmann::json root = {
+        {"asset", {{"version", "2.0"}}},
+        {"scenes", {{{"nodes", {0}}}}},
+        {"nodes", {{{"mesh", 0}}}},
+        {"meshes", {{{"name", "body"}, {"primitives", {{{"attributes", nlohmann::json::object()}}}}}}},
+        {"accessors", nlohmann::json::array()},
+        {"bufferViews", nlohmann::json::array()}};
 
     nlohmann::json& primitive() { return root["meshes"][0]["primitives"][0]; }
     nlohmann::json& node() { return root["nodes"][0]; }

@@ -12,7 +12,7 @@ namespace metamarch::tests {
 
 using Judge = std::function<TraceResult(const Ray&)>;
 
-// One result per ray, on all processors, with denormals as the shaders have them.
+// One result per ray, on all processors.
 std::vector<RayResult> traceAll(const Lattice& lattice, std::span<const RayQuery> rays, const Judge& judge);
 
 enum class Counters { compared, ignored };

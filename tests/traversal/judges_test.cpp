@@ -77,7 +77,9 @@ const NamedScene kScenes[] = {
     {"unit_cube_no_depth", unitCube, {{}, {}, 0u}},
     {"soup", [] { return triangleSoup(2000, 1); }, {}},
     {"soup_fine", [] { return triangleSoup(2000, 2); }, {{}, 4000000u, kMaxTreeDepth}},
-    {"soup_finest", [] { return triangleSoup(300, 5); }, {glm::dvec3(1.0 / 650.0, 0.05, 1.0 / 650.0), {}, {}}},
+    {"soup_finest",
+     [] { return triangleSoup(300, 5); },
+     {glm::dvec3(1.0 / 650.0, 0.05, 1.0 / 650.0), {}, {}}},
     {"soup_tiny", [] { return scaled(1e-8f); }, {}},
     {"soup_huge", [] { return scaled(1e8f); }, {}},
     {"sphere_in_stadium", sphereInStadium, {}},
@@ -103,10 +105,10 @@ TEST_P(Judges, agreeOnTrickyRays) {
     for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
         const auto brute =
             traceAll(structure.lattice, rays, [&](const Ray& r) { return traceBruteForce(words, r, query); });
-        const auto stack =
-            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceKdStack(structure, r, query); });
-        const auto march =
-            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceMetaTable(structure, r, query); });
+        const auto stack = traceAll(structure.lattice, rays,
+                                    [&](const Ray& r) { return traceKdStack(structure, r, query); });
+        const auto march = traceAll(structure.lattice, rays,
+                                    [&](const Ray& r) { return traceMetaTable(structure, r, query); });
         if (query == HitQuery::closest) {
             expectSameHits(rays, stack, brute, Counters::ignored);
             expectSameHits(rays, march, brute, Counters::ignored);

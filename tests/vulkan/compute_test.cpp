@@ -1,6 +1,6 @@
 // A kernel runs with its bindings, push constants and specialization constants, and its results come back.
 #include "affine_kernel.h"
-#include "environment.h"
+#include "fixtures/vulkan_environment.h"
 #include "vulkan/submission.h"
 #include "vulkan/transfer.h"
 

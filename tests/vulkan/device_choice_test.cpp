@@ -1,4 +1,4 @@
-#include "expect_error.h"
+#include "fixtures/expect_error.h"
 #include "vulkan/device_choice.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "environment.h"
+#include "fixtures/vulkan_environment.h"
 #include "vulkan/device_report.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "affine_kernel.h"
-#include "environment.h"
+#include "fixtures/vulkan_environment.h"
 #include "vulkan/pipeline_cache.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "environment.h"
+#include "fixtures/vulkan_environment.h"
 #include "vulkan/transfer.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What is too much for the device is refused by name before the driver sees it.
 #include "affine_kernel.h"
-#include "environment.h"
-#include "expect_error.h"
+#include "fixtures/expect_error.h"
+#include "fixtures/vulkan_environment.h"
 #include "vulkan/submission.h"
 
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 namespace metamarch::vulkan {
 namespace {
 
-TEST(Limits, bufferOverTheAllocationLimit) {
+TEST(DeviceLimits, bufferOverTheAllocationLimit) {
     const uint64_t size = testDevice().report().maxMemoryAllocationSize + 4;
     expectError(ExitCode::outOfMemory, "buffer 'table'",
                 [&] { Buffer(testDevice(), BufferUse::storage, size, "table"); });
 }
 
-TEST(Limits, bindingOverTheRangeLimit) {
+TEST(DeviceLimits, bindingOverTheRangeLimit) {
     const DeviceReport& report = testDevice().report();
     const uint64_t size = report.maxStorageBufferRange + 4;
     if (size > report.maxMemoryAllocationSize || size > report.deviceLocalHeapSize / 2) {
@@ -29,14 +29,14 @@ TEST(Limits, bindingOverTheRangeLimit) {
     expectError(ExitCode::outOfMemory, "maxStorageBufferRange", [&] { pipeline.bind(kAffineInputs, table); });
 }
 
-TEST(Limits, moreStorageBuffersThanTheDeviceHas) {
+TEST(DeviceLimits, moreStorageBuffersThanTheDeviceHas) {
     KernelInfo info = affineInfo();
     info.storageBindings.resize(testDevice().report().maxPerStageDescriptorStorageBuffers + size_t{1});
     std::iota(info.storageBindings.begin(), info.storageBindings.end(), 0u);
     expectError(ExitCode::noDevice, "kernel 'affine' needs", [&] { ComputePipeline(testDevice(), info); });
 }
 
-TEST(Limits, moreGroupsThanADispatchHolds) {
+TEST(DeviceLimits, moreGroupsThanADispatchHolds) {
     const uint32_t most = testDevice().report().maxComputeWorkGroupCount[0];
     if (most == UINT32_MAX) {
         GTEST_SKIP() << "no number passes the limit of this device";

@@ -1,0 +1,278 @@
+// What valid glTF geometry becomes, number by number.
+#include "scene/gltf_file.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace metamarch {
+namespace {
+
+using Json = nlohmann::json;
+using Triangles = std::vector<glm::uvec3>;
+
+const std::vector<float> kFivePoints = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
+
+glm::vec3 front(const Scene& scene, std::size_t triangle) {
+    const glm::uvec3 corner = scene.triangles[triangle];
+    return glm::cross(scene.positions[corner.y] - scene.positions[corner.x],
+                      scene.positions[corner.z] - scene.positions[corner.x]);
+}
+
+TEST(GltfGeometry, TrianglesWithoutIndices) {
+    TriangleFile file;
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles, Triangles({{0, 1, 2}}));
+    EXPECT_EQ(scene.positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(scene.normals, std::vector<glm::vec3>(3, glm::vec3(0)));
+    EXPECT_EQ(scene.texCoords, std::vector<glm::vec2>(3, glm::vec2(0)));
+    EXPECT_EQ(scene.triangleMesh, std::vector<std::uint32_t>({0}));
+    EXPECT_EQ(scene.triangleMaterial, std::vector<std::uint32_t>({kNoMaterial}));
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    EXPECT_EQ(scene.meshes[0].name, "body");
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfGeometry, StripTurnsEveryOtherTriangle) {
+    GltfFile file;
+    file.setPositions(kFivePoints);
+    file.primitive()["mode"] = 5;
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles, Triangles({{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_GT(front(scene, i).z, 0.0f);
+}
+
+TEST(GltfGeometry, IndexedFan) {
+    GltfFile file;
+    file.setPositions(kFivePoints);
+    file.primitive()["mode"] = 6;
+    file.primitive()["indices"] = file.addIndices({0, 1, 3, 4, 2});
+    EXPECT_EQ(file.load().triangles, Triangles({{1, 3, 0}, {3, 4, 0}, {4, 2, 0}}));
+}
+
+TEST(GltfGeometry, PointsAndLinesAreReported) {
+    for (int mode = 0; mode < 4; ++mode) {
+        TriangleFile file;
+        file.primitive()["mode"] = mode;
+        const Scene scene = file.load();
+        EXPECT_TRUE(scene.triangles.empty());
+        EXPECT_TRUE(scene.positions.empty());
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_TRUE(
+            scene.warnings[0].ends_with("mesh 'body' primitive 0: points and lines are not rendered"));
+    }
+}
+
+TEST(GltfGeometry, CornersThatMakeNoTriangleAreReported) {
+    GltfFile file;
+    file.setPositions(kFivePoints);
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles, Triangles({{0, 1, 2}}));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("primitive 0: 5 corners are no whole number of triangles"));
+}
+
+TEST(GltfGeometry, SparseReplacesElements) {
+    TriangleFile file;
+    const int indices = file.addView<std::uint8_t>({0, 2});
+    const int values = file.addView<float>({7, 8, 9, 4, 5, 6});
+    file.root["accessors"][0]["sparse"] = {{"count", 2},
+                                           {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                           {"values", {{"bufferView", values}}}};
+    EXPECT_EQ(file.load().positions, std::vector<glm::vec3>({{7, 8, 9}, {1, 0, 0}, {4, 5, 6}}));
+}
+
+TEST(GltfGeometry, SparseWithoutBufferViewReplacesZeros) {
+    TriangleFile file;
+    const int indices = file.addView<std::uint32_t>({1});
+    const int values = file.addView<float>({4, 5, 6});
+    file.root["accessors"][0].erase("bufferView");
+    file.root["accessors"][0]["sparse"] = {{"count", 1},
+                                           {"indices", {{"bufferView", indices}, {"componentType", 5125}}},
+                                           {"values", {{"bufferView", values}}}};
+    EXPECT_EQ(file.load().positions, std::vector<glm::vec3>({{0, 0, 0}, {4, 5, 6}, {0, 0, 0}}));
+}
+
+TEST(GltfGeometry, InterleavedByStride) {
+    GltfFile file;
+    // position, normal (of length 2), texture coordinate
+    const int view = file.addView<float>(
+        {0, 0, 0, 0, 0, 2, 0.25f, 0.5f, 1, 0, 0, 0, 0, 2, 0.5f, 0.5f, 0, 1, 0, 0, 0, 2, 0.75f, 1.0f});
+    file.root["bufferViews"][0]["byteStride"] = 32;
+    const auto attribute = [&](const char* type, int offset) {
+        return file.addAccessor({{"bufferView", view},
+                                 {"byteOffset", offset},
+                                 {"componentType", 5126},
+                                 {"count", 3},
+                                 {"type", type}});
+    };
+    file.primitive()["attributes"] = {{"POSITION", attribute("VEC3", 0)},
+                                      {"NORMAL", attribute("VEC3", 12)},
+                                      {"TEXCOORD_0", attribute("VEC2", 24)}};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(scene.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
+    EXPECT_EQ(scene.texCoords, std::vector<glm::vec2>({{0.25f, 0.5f}, {0.5f, 0.5f}, {0.75f, 1.0f}}));
+}
+
+template <typename T>
+std::vector<glm::vec3> quantizedPositions(int componentType, bool normalized) {
+    constexpr T kMost = std::numeric_limits<T>::max();
+    constexpr T kLeast = std::numeric_limits<T>::min();
+    GltfFile file;
+    const int view = file.addView<T>({0, 0, 0, kMost, 0, kLeast, 0, kMost, 0});
+    const int accessor = file.addAccessor({{"bufferView", view},
+                                           {"componentType", componentType},
+                                           {"normalized", normalized},
+                                           {"count", 3},
+                                           {"type", "VEC3"}});
+    file.primitive()["attributes"]["POSITION"] = accessor;
+    file.root["extensionsRequired"] = {"KHR_mesh_quantization"};
+    return file.load().positions;
+}
+
+TEST(GltfGeometry, QuantizedPositions) {
+    using Positions = std::vector<glm::vec3>;
+    EXPECT_EQ(quantizedPositions<std::int8_t>(5120, true), Positions({{0, 0, 0}, {1, 0, -1}, {0, 1, 0}}));
+    EXPECT_EQ(quantizedPositions<std::uint8_t>(5121, true), Positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(quantizedPositions<std::int16_t>(5122, true), Positions({{0, 0, 0}, {1, 0, -1}, {0, 1, 0}}));
+    EXPECT_EQ(quantizedPositions<std::uint16_t>(5123, true), Positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(quantizedPositions<std::int8_t>(5120, false),
+              Positions({{0, 0, 0}, {127, 0, -128}, {0, 127, 0}}));
+    EXPECT_EQ(quantizedPositions<std::uint16_t>(5123, false),
+              Positions({{0, 0, 0}, {65535, 0, 0}, {0, 65535, 0}}));
+}
+
+TEST(GltfGeometry, HierarchyOfTransforms) {
+    TriangleFile file;
+    // 90 degrees about z, then twice the size at (10, 0, 0)
+    file.root["nodes"] = {{{"children", {1}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 10, 0, 0, 1}}},
+                          {{"mesh", 0}, {"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}};
+    EXPECT_EQ(file.load(0.5f).positions, std::vector<glm::vec3>({{5, 0, 0}, {5, 1, 0}, {4, 0, 0}}));
+}
+
+TEST(GltfGeometry, MirrorKeepsTheFront) {
+    TriangleFile file;
+    file.primitive()["attributes"]["NORMAL"] = file.addVec3({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    file.node()["scale"] = {-1, 1, 1};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.positions[1], glm::vec3(-1, 0, 0));
+    EXPECT_EQ(scene.triangles, Triangles({{0, 2, 1}}));
+    EXPECT_GT(front(scene, 0).z, 0.0f);
+    EXPECT_EQ(scene.normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST(GltfGeometry, NonUniformScaleTiltsNormals) {
+    TriangleFile file;
+    file.primitive()["attributes"]["NORMAL"] = file.addVec3({1, 1, 0, 1, 1, 0, 1, 1, 0});
+    file.node()["scale"] = {1, 2, 1};
+    const glm::vec3 normal = file.load().normals[0];
+    EXPECT_FLOAT_EQ(normal.x, 2.0f / std::sqrt(5.0f));
+    EXPECT_FLOAT_EQ(normal.y, 1.0f / std::sqrt(5.0f));
+}
+
+TEST(GltfGeometry, SingularMatrixFlattens) {
+    TriangleFile file;
+    file.primitive()["attributes"]["NORMAL"] = file.addVec3({0, 0, 1, 1, 0, 0, 0, 0, 1});
+    file.node()["scale"] = {1, 1, 0};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles.size(), 1u);
+    EXPECT_EQ(scene.normals[0], glm::vec3(0, 0, 1));
+    EXPECT_EQ(scene.normals[1], glm::vec3(0)); // flattened to nothing
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfGeometry, BrokenNormalsAreLeftOutWithOneLine) {
+    TriangleFile file;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    file.primitive()["attributes"]["NORMAL"] = file.addVec3({0, 0, 0, nan, 0, 1, 0, 0, 3});
+    file.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}}};
+    file.root["scenes"][0]["nodes"] = {0, 1};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.normals[0], glm::vec3(0));
+    EXPECT_EQ(scene.normals[1], glm::vec3(0));
+    EXPECT_EQ(scene.normals[2], glm::vec3(0, 0, 1));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("mesh 'body': 2 normals are zero or not finite"), std::string::npos);
+}
+
+TEST(GltfGeometry, InstancesBecomeMeshes) {
+    TriangleFile file;
+    file.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 5}}}};
+    file.root["scenes"][0]["nodes"] = {0, 1};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.triangleMesh, std::vector<std::uint32_t>({0, 1}));
+    EXPECT_EQ(scene.triangles, Triangles({{0, 1, 2}, {3, 4, 5}}));
+    EXPECT_EQ(scene.positions[3], glm::vec3(0, 0, 5));
+}
+
+TEST(GltfGeometry, GpuInstancing) {
+    TriangleFile file;
+    const int translation = file.addVec3({1, 0, 0, 0, 2, 0});
+    const int scale = file.addVec3({1, 1, 1, 3, 3, 3});
+    file.node()["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", translation},
+                                                                          {"SCALE", scale}};
+    file.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.positions[1], glm::vec3(2, 0, 0));
+    EXPECT_EQ(scene.positions[4], glm::vec3(3, 2, 0));
+}
+
+TEST(GltfGeometry, DefaultScene) {
+    TriangleFile file;
+    file.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 1}}}};
+    file.root["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}}};
+    file.root["scene"] = 1;
+    EXPECT_EQ(file.load().positions[0].z, 1.0f);
+    file.root.erase("scene");
+    EXPECT_EQ(file.load().positions[0].z, 0.0f);
+    file.root.erase("scenes"); // all root nodes
+    EXPECT_EQ(file.load().meshes.size(), 2u);
+}
+
+TEST(GltfGeometry, EmptySceneIsAScene) {
+    GltfFile file;
+    file.root = {{"asset", {{"version", "2.0"}}}};
+    const Scene scene = file.load();
+    EXPECT_TRUE(scene.triangles.empty());
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(GltfGeometry, HierarchyAsDeepAsItLikes) {
+    TriangleFile file;
+    constexpr int kDepth = 20000;
+    Json nodes = Json::array();
+    for (int i = 0; i < kDepth; ++i)
+        nodes.push_back({{"children", {i + 1}}, {"translation", {0, 0, 1}}});
+    nodes.push_back({{"mesh", 0}});
+    file.root["nodes"] = nodes;
+    EXPECT_EQ(file.load().positions[0].z, static_cast<float>(kDepth));
+}
+
+TEST(GltfGeometry, SkinsAndMorphTargetsAreReported) {
+    TriangleFile file;
+    file.root["meshes"][0]["weights"] = {0.5};
+    file.node()["skin"] = 0;
+    file.root["skins"] = {{{"joints", {0}}}};
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("mesh 'body': the skin is ignored, it stands in its bind pose"));
+    EXPECT_TRUE(scene.warnings[1].ends_with("mesh 'body': morph targets are ignored"));
+}
+
+TEST(GltfGeometry, NamesWithSpacesEscapesAndUnicode) {
+    for (const char* uri : {"my buffer+1%.bin", "my%20buffer+1%25.bin"}) {
+        TriangleFile file;
+        const std::filesystem::path path = file.write("ünï ❤.gltf");
+        std::filesystem::rename(file.folder / "scene.bin", file.folder / "my buffer+1%.bin");
+        file.root["buffers"][0]["uri"] = uri;
+        writeFile(path, file.root.dump());
+        EXPECT_EQ(loadScene(path).triangles.size(), 1u);
+    }
+}
+
+} // namespace
+} // namespace metamarch

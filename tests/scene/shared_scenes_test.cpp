@@ -1,0 +1,134 @@
+// Other people's files, against the counts in the table of their README.
+#include "error.h"
+#include "fixtures/shared_scenes.h"
+#include "scene/import.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace metamarch {
+namespace {
+
+struct Counts {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+
+    bool operator==(const Counts&) const = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const Counts& counts) {
+    return out << counts.vertices << " vertices, " << counts.triangles << " triangles";
+}
+
+// "| gltf/Box.glb | 24 | 12 | CC-BY-4.0 |"
+std::map<std::string, Counts> table(const std::filesystem::path& folder) {
+    std::map<std::string, Counts> rows;
+    std::ifstream readme(folder / "README.md");
+    for (std::string line; std::getline(readme, line);) {
+        std::istringstream cells(line);
+        std::string before, file, vertices, triangles;
+        std::getline(cells, before, '|');
+        std::getline(cells, file, '|');
+        std::getline(cells, vertices, '|');
+        std::getline(cells, triangles, '|');
+        if (std::istringstream number(vertices);
+            file.find('/') != std::string::npos && number >> rows[file].vertices)
+            rows[file].triangles = std::stoul(triangles);
+    }
+    std::map<std::string, Counts> trimmed;
+    for (const auto& [file, counts] : rows)
+        trimmed[file.substr(1, file.size() - 2)] = counts;
+    return trimmed;
+}
+
+// Where the scene rightly has other counts than the file.
+const std::map<std::string, Counts> kCountsOfScene = {
+    // meshes that several nodes place are flattened
+    {"gltf/AttenuationTest.glb", {584, 292}},
+    {"gltf/NegativeScaleTest.glb", {3958, 7724}},
+    {"gltf/TextureTransformTest/TextureTransformTest.gltf", {48, 24}},
+    // EXT_mesh_gpu_instancing, 125 times
+    {"gltf/SimpleInstancing.glb", {3000, 1500}},
+    // only the default scene
+    {"gltf/MultipleScenes/MultipleScenes.gltf", {4, 2}},
+    {"gltf/embedded/MultipleScenes.gltf", {4, 2}},
+    // vertices of points and lines are not kept
+    {"gltf/embedded/MeshPrimitiveModes.gltf", {21, 16}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_00.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_01.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_02.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_03.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_07.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_08.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_09.gltf", {0, 0}},
+    {"gltf/primitive_modes/Mesh_PrimitiveMode_10.gltf", {0, 0}},
+    // Assimp gives an OBJ's vertices once per corner; equal ones are joined again, mesh by mesh. So vertices
+    // that the
+    // file itself has twice become one, those of two groups become two, and unused ones are gone.
+    {"mesh/sponza_66k.obj", {47131, 66450}},
+    {"mesh/teapot.obj", {3241, 6320}},
+    {"paper/cow_viewpoint.obj", {4847, 5804}},
+};
+
+// What the line says that refuses the others.
+const std::map<std::string, std::string> kRefused = {
+    {"gltf/Duck-Draco/Duck.gltf", "extensionsRequired: KHR_draco_mesh_compression is not supported"},
+    {"gltf/malformed/IndexOutOfRange/AllIndicesOutOfRange.gltf",
+     "mesh 'Mesh' primitive 0: index 65535 is out of range, there are 24 vertices"},
+    {"gltf/malformed/IndexOutOfRange/IndexOutOfRange.gltf",
+     "mesh 'Mesh' primitive 0: index 255 is out of range, there are 24 vertices"},
+    {"gltf/malformed/RecursiveNodes/RecursiveNodes.gltf",
+     "node 0 is reached twice: the nodes form a cycle, or it has two parents"},
+};
+
+TEST(SharedScenes, CountsAreThoseOfTheTable) {
+    const auto folder = tests::sharedScenes();
+    if (!folder)
+        return;
+    const std::map<std::string, Counts> rows = table(*folder);
+    EXPECT_GE(rows.size(), 80u);
+    for (const auto& [file, counts] : rows) {
+        SCOPED_TRACE(file);
+        const auto refused = kRefused.find(file);
+        try {
+            const Scene scene = loadScene(*folder / file);
+            EXPECT_EQ(refused, kRefused.end());
+            const auto special = kCountsOfScene.find(file);
+            EXPECT_EQ((Counts{scene.positions.size(), scene.triangles.size()}),
+                      special != kCountsOfScene.end() ? special->second : counts);
+        } catch (const Error& error) {
+            ASSERT_NE(refused, kRefused.end()) << error.what();
+            EXPECT_EQ(error.code, ExitCode::sceneRefused);
+            EXPECT_EQ(error.what(), (*folder / file).string() + ": " + refused->second);
+        }
+    }
+}
+
+TEST(SharedScenes, BrokenNormalsAreReported) {
+    const auto folder = tests::sharedScenes();
+    if (!folder)
+        return;
+    const Scene scene = loadScene(*folder / "gltf/malformed/BoxBadNormals.glb");
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].ends_with(
+        "mesh 'Mesh': 4 normals are zero or not finite; the triangles' own are used there"));
+}
+
+TEST(SharedScenes, CamerasOfTheFile) {
+    const auto folder = tests::sharedScenes();
+    if (!folder)
+        return;
+    const Scene scene = loadScene(*folder / "gltf/Cameras/Cameras.gltf");
+    ASSERT_EQ(scene.cameras.size(), 2u);
+    EXPECT_EQ(scene.cameras[0].projection, SceneCamera::Projection::perspective);
+    EXPECT_EQ(scene.cameras[1].projection, SceneCamera::Projection::orthographic);
+    EXPECT_EQ(scene.cameras[0].eye, glm::vec3(0.5f, 0.5f, 3.0f));
+    EXPECT_EQ(scene.cameras[0].forward, glm::vec3(0, 0, -1));
+    EXPECT_EQ(scene.cameras[1].verticalExtent, 2.0f);
+}
+
+} // namespace
+} // namespace metamarch

@@ -1,0 +1,44 @@
+#include "traversal/gpu_scenes.h"
+
+#include "fixtures/shapes.h"
+#include "fixtures/shared_scenes.h"
+#include "scene/import.h"
+
+#include <algorithm>
+
+namespace metamarch::tests {
+
+const std::vector<GpuScene>& gpuScenes() {
+    static const std::vector<GpuScene> kScenes = {
+        {"cow", "paper/cow_viewpoint.obj", 0.1f, {glm::dvec3(0.02), {}, kPaperTreeDepth}},
+        {"bunny", "paper/bunny.ply", 1.0f, {glm::dvec3(0.002), {}, kPaperTreeDepth}},
+        {"dragon", "mesh/dragon_202k.ply"},
+        {"sponza", "mesh/sponza_66k.obj"},
+        {"helmet", "gltf/DamagedHelmet.glb"},
+        {"teapot_in_stadium", "mesh/teapot.obj", 1.0f, {}, true},
+        {"degenerate", "scenes/degenerate.glb"},
+        {"cornell", "scenes/cornell.glb"},
+        {"objects", "scenes/objects.glb"},
+    };
+    return kScenes;
+}
+
+std::optional<Scene> load(const GpuScene& scene) {
+    std::filesystem::path file = std::filesystem::path(METAMARCH_SOURCE_DIR) / scene.file;
+    if (!scene.file.starts_with("scenes/")) {
+        const auto folder = sharedScenes();
+        if (!folder) {
+            return std::nullopt;
+        }
+        file = *folder / scene.file;
+    }
+    Scene loaded = loadScene(file, scene.scale);
+    if (scene.inStadium) {
+        const Bounds bounds = boundsOf(loaded);
+        const glm::vec3 size = bounds.hi - bounds.lo;
+        addPlane(loaded, bounds.lo.y, 5000.0f * std::max({size.x, size.y, size.z}));
+    }
+    return loaded;
+}
+
+} // namespace metamarch::tests

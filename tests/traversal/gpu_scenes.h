@@ -1,0 +1,24 @@
+// The scenes on which the device is compared with the judges.
+#pragma once
+#include "accel/acceleration_structure.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace metamarch::tests {
+
+struct GpuScene {
+    std::string name;
+    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own
+    float scale = 1.0f;
+    AccelerationOptions options{};
+    bool inStadium = false; // on a plane 10,000 times larger
+};
+
+const std::vector<GpuScene>& gpuScenes();
+
+// Nothing where the file is one of the shared scenes and they are absent.
+std::optional<Scene> load(const GpuScene& scene);
+
+} // namespace metamarch::tests
