@@ -1,6 +1,9 @@
 #include "cli/structure_report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 
 namespace metamarch::cli {
 namespace {
@@ -9,6 +12,16 @@ template <class Vector>
 nlohmann::ordered_json toArray(const Vector& v) {
     return nlohmann::ordered_json::array({v.x, v.y, v.z});
 }
+
+// The double that prints as briefly as the float does: -0.0946899, not -0.09468989819288254.
+double shortest(const float value) {
+    const std::string text = fmt::format("{}", value);
+    double result = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), result);
+    return result;
+}
+
+glm::dvec3 shortest(const glm::vec3 v) { return {shortest(v.x), shortest(v.y), shortest(v.z)}; }
 
 template <class T>
 std::size_t byteSize(const std::vector<T>& values) {
@@ -29,8 +42,8 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["vertices"] = scene.positions.size();
     report["triangles"] = scene.triangles.size();
     report["degenerateTriangles"] = structure.degenerateTriangles;
-    report["bounds"]["min"] = empty ? nlohmann::ordered_json() : toArray(bounds.lo);
-    report["bounds"]["max"] = empty ? nlohmann::ordered_json() : toArray(bounds.hi);
+    report["bounds"]["min"] = empty ? nlohmann::ordered_json() : toArray(shortest(bounds.lo));
+    report["bounds"]["max"] = empty ? nlohmann::ordered_json() : toArray(shortest(bounds.hi));
     report["lattice"]["resolution"] = toArray(structure.lattice.resolution);
     report["lattice"]["unit"] = toArray(structure.unit);
     report["table"]["cells"] = structure.lattice.cellCount;
@@ -41,7 +54,7 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["tree"]["depth"] = tree.depth;
     report["bytes"]["tree"] = byteSize(tree.nodes) + byteSize(tree.leaves);
     report["bytes"]["table"] = byteSize(structure.leafOfCell);
-    report["bytes"]["triangles"] = byteSize(structure.triangleWords);
+    report["bytes"]["triangles"] = byteSize(structure.triangles);
     report["seconds"]["tree"] = structure.treeSeconds;
     report["seconds"]["table"] = structure.tableSeconds;
     report["trianglesPerSecond"] =

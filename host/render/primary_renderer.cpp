@@ -34,13 +34,16 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
     const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
     WorkSize work(std::min(tiles, kMostTiles));
 
-    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "primary", traversal, sizeof(PrimaryPush));
+    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "primary", traversal,
+                                                          {.storageBindings = {kBindOutput},
+                                                           .uniformBindings = {kBindCamera},
+                                                           .pushConstantSize = sizeof(PrimaryPush)});
     const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
     const std::uint64_t outputBytes =
         std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);
     const vulkan::Buffer output(device, vulkan::BufferUse::storage, outputBytes, "pixels");
     const vulkan::Buffer readback(device, vulkan::BufferUse::readback, outputBytes, "pixels read back");
-    pipeline.bind(kBindInput, input);
+    pipeline.bind(kBindCamera, input);
     pipeline.bind(kBindOutput, output);
     vulkan::Submission submission(device);
 

@@ -1,6 +1,7 @@
 // Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
 #pragma once
 #include "render/scene_buffers.h"
+#include "render/work_size.h"
 #include "shared/ray_query.h"
 #include "vulkan/submission.h"
 
@@ -18,10 +19,18 @@ class RayTracer {
     // One result per ray, in their order.
     std::vector<RayResult> trace(std::span<const RayQuery> rays);
 
+    // What the last call of trace() took on the device, without transfers and without its first submission of
+    // one workgroup, which may compile.
+    double deviceSeconds() const { return seconds; }
+
   private:
+    std::vector<RayResult> traceBatch(std::span<const RayQuery> rays);
+
     const vulkan::Device& device;
     vulkan::ComputePipeline pipeline;
     vulkan::Submission submission;
+    WorkSize work;
+    double seconds = 0.0;
 };
 
 } // namespace metamarch::render

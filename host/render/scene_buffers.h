@@ -27,12 +27,15 @@ class SceneBuffers {
     SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
                  const ShadingData& shading);
 
+    // The same with at most `maxStorageBufferRange` bytes in a buffer: for tests, the device having more.
+    SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
+                 const ShadingData& shading, std::uint64_t maxStorageBufferRange);
+
     // The pipeline of `kernel` with `traversal`, specialized for this scene and with its buffers bound.
-    // kBindInput and kBindOutput are left to the caller. `specialization` holds what the kernel has of its
-    // own.
+    // `own` holds what the kernel has besides the scene: bindings, which the caller binds, push constants and
+    // specialization constants.
     vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const std::string& kernel,
-                                         const std::string& traversal, std::uint32_t pushConstantSize,
-                                         std::map<std::uint32_t, std::uint32_t> specialization = {}) const;
+                                         const std::string& traversal, vulkan::KernelInfo own) const;
 
     std::uint64_t bytes() const; // on the device
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace metamarch::render {
 
@@ -16,14 +17,16 @@ class WorkSize {
 
     std::uint32_t units() const { return size; }
 
-    // The first submission also compiles the kernel on some drivers, so it holds one unit and says nothing.
-    void finished(const double seconds) {
-        if (warm) {
-            const double wanted = size * kTargetSeconds / std::max(seconds, 1e-6);
-            size = static_cast<std::uint32_t>(
-                std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
+    // Takes what the submission of units() took, and returns it where it counts as tracing: the first
+    // submission also compiles the kernel on some drivers, so it holds one unit and says nothing.
+    double finished(const double seconds) {
+        if (!std::exchange(warm, true)) {
+            return 0.0;
         }
-        warm = true;
+        const double wanted = size * kTargetSeconds / std::max(seconds, 1e-6);
+        size = static_cast<std::uint32_t>(
+            std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
+        return seconds;
     }
 
   private:

@@ -25,7 +25,7 @@ vk::BufferUsageFlags usageOf(BufferUse use) {
     case BufferUse::storage:
         break;
     }
-    return Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+    return Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
 }
 
 // What the memory should have, the best first. Vulkan guarantees that the last one exists.

@@ -10,7 +10,7 @@
 namespace metamarch::vulkan {
 
 enum class BufferUse {
-    storage,  // device-local; shaders read and write it, transfers fill and read it
+    storage,  // device-local; shaders read and write it, or read it as constants, transfers fill and read it
     upload,   // host memory the device copies from; mapped
     readback, // host memory the device copies to; mapped, cached where the device can
 };

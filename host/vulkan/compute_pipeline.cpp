@@ -11,6 +11,9 @@
 namespace metamarch::vulkan {
 namespace {
 
+// The least that maxUniformBufferRange can be, and far more than any kernel's constants.
+constexpr uint64_t kUniformRange = 16384;
+
 void requireLimits(const DeviceReport& device, const KernelInfo& info) {
     const auto require = [&](const char* limit, uint32_t has, size_t needs) {
         if (needs > has) {
@@ -28,26 +31,33 @@ void requireLimits(const DeviceReport& device, const KernelInfo& info) {
 ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
     : device_(&device), name_(info.name), pushConstantSize_(info.pushConstantSize) {
     requireLimits(device.report(), info);
+    for (const uint32_t binding : info.storageBindings) {
+        bindings_.emplace(binding, vk::DescriptorType::eStorageBuffer);
+    }
+    for (const uint32_t binding : info.uniformBindings) {
+        bindings_.emplace(binding, vk::DescriptorType::eUniformBuffer);
+    }
     try {
-        createDescriptorSet(info.storageBindings);
+        createDescriptorSet();
         createPipeline(info);
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));
     }
 }
 
-void ComputePipeline::createDescriptorSet(const std::vector<uint32_t>& storageBindings) {
+void ComputePipeline::createDescriptorSet() {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (const uint32_t binding : storageBindings) {
-        bindings.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1,
-                              vk::ShaderStageFlagBits::eCompute);
+    std::map<vk::DescriptorType, uint32_t> counts;
+    for (const auto& [binding, type] : bindings_) {
+        bindings.emplace_back(binding, type, 1, vk::ShaderStageFlagBits::eCompute);
+        ++counts[type];
     }
     const vk::raii::Device& device = device_->handle();
     descriptorSetLayout_ = {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
 
     std::vector<vk::DescriptorPoolSize> sizes;
-    if (!bindings.empty()) { // Vulkan has no pool sizes of 0
-        sizes.emplace_back(vk::DescriptorType::eStorageBuffer, static_cast<uint32_t>(bindings.size()));
+    for (const auto& [type, count] : counts) {
+        sizes.emplace_back(type, count);
     }
     // The RAII set frees itself, which a pool allows only with this flag.
     descriptorPool_ = {
@@ -81,17 +91,19 @@ void ComputePipeline::createPipeline(const KernelInfo& info) {
 }
 
 void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {
-    const uint64_t range = device_->report().maxStorageBufferRange;
+    const vk::DescriptorType type = bindings_.at(binding);
+    const bool uniform = type == vk::DescriptorType::eUniformBuffer;
+    const uint64_t range = uniform ? kUniformRange : device_->report().maxStorageBufferRange;
     if (buffer.size() > range) {
         throw Error(ExitCode::outOfMemory,
-                    fmt::format("{}: buffer '{}' of {} is over maxStorageBufferRange, {}", device_->name(),
-                                buffer.name(), byteText(buffer.size()), byteText(range)));
+                    fmt::format("{}: buffer '{}' of {} is over {}, {}", device_->name(), buffer.name(),
+                                byteText(buffer.size()),
+                                uniform ? "maxUniformBufferRange" : "maxStorageBufferRange",
+                                byteText(range)));
     }
     const vk::DescriptorBufferInfo bufferInfo(buffer.handle(), 0, VK_WHOLE_SIZE);
-    device_->handle().updateDescriptorSets(vk::WriteDescriptorSet(*descriptorSet_, binding, 0,
-                                                                  vk::DescriptorType::eStorageBuffer, {},
-                                                                  bufferInfo),
-                                           {});
+    device_->handle().updateDescriptorSets(
+        vk::WriteDescriptorSet(*descriptorSet_, binding, 0, type, {}, bufferInfo), {});
 }
 
 } // namespace metamarch::vulkan

@@ -1,4 +1,4 @@
-// One compute kernel with its bindings: all in descriptor set 0, all storage buffers.
+// One compute kernel with its bindings: storage and uniform buffers, all in descriptor set 0.
 #pragma once
 #include "vulkan/buffer.h"
 #include "vulkan/device.h"
@@ -13,12 +13,13 @@ namespace metamarch::vulkan {
 
 // Everything a ComputePipeline is made from.
 struct KernelInfo {
-    std::string name;                      // for error messages
-    std::span<const uint32_t> spirv;       // entry point "main"; needed only while the pipeline is made
-    std::vector<uint32_t> storageBindings; // binding numbers of set 0, in any order
-    uint32_t pushConstantSize = 0;         // bytes; 0: none
+    std::string name{};                      // for error messages
+    std::span<const uint32_t> spirv{};       // entry point "main"; needed only while the pipeline is made
+    std::vector<uint32_t> storageBindings{}; // binding numbers of set 0, in any order
+    std::vector<uint32_t> uniformBindings{}; // the same for small constants, which all invocations read alike
+    uint32_t pushConstantSize = 0;           // bytes; 0: none
     std::map<uint32_t, uint32_t>
-        specialization; // constant_id to its 32 bits (std::bit_cast a float or an int)
+        specialization{}; // constant_id to its 32 bits (std::bit_cast a float or an int)
 };
 
 // Move-only. Drivers may compile at the first dispatch only (lavapipe does): warm up before timing.
@@ -40,12 +41,13 @@ class ComputePipeline {
     vk::DescriptorSet descriptorSet() const { return *descriptorSet_; }
 
   private:
-    void createDescriptorSet(const std::vector<uint32_t>& storageBindings);
+    void createDescriptorSet();
     void createPipeline(const KernelInfo& info);
 
     const Device* device_;
     std::string name_;
     uint32_t pushConstantSize_;
+    std::map<uint32_t, vk::DescriptorType> bindings_;
     vk::raii::DescriptorSetLayout descriptorSetLayout_ = nullptr;
     vk::raii::DescriptorPool descriptorPool_ = nullptr;
     vk::raii::DescriptorSet descriptorSet_ = nullptr;

@@ -3,7 +3,7 @@
 
 layout(local_size_x = kTilePixels) in;
 
-layout(std430, binding = kBindInput) readonly buffer CameraBuffer { Camera camera; };
+layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PixelBuffer { PrimaryPixel pixels[]; };
 layout(push_constant) uniform PushBlock { PrimaryPush push; };
 
@@ -20,9 +20,8 @@ void main() {
 
     PrimaryPixel result = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
-        const uvec3 axes = uvec3(0u, 1u, 2u);
-        result = shadePrimary(camera, view, ray, trace.hit, triangleCorner(trace.slot, 0u, axes),
-                              triangleCorner(trace.slot, 1u, axes), triangleCorner(trace.slot, 2u, axes),
+        const TriangleRecord triangle = loadTriangle(trace.slot);
+        result = shadePrimary(camera, view, ray, trace.hit, triangle,
                               materials[materialOfTriangle[trace.hit.triangleId]]);
     }
     result.steps = trace.steps;

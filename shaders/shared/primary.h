@@ -27,11 +27,10 @@ struct PrimaryPixel {
     uint tests;
 };
 
-// `hit` is not a miss; v0, v1, v2 are the corners of its triangle.
+// `hit` is not a miss, and of `triangle`.
 SHARED_FN PrimaryPixel shadePrimary(const Camera camera, const CameraRay view, const Ray ray, const Hit hit,
-                                    const vec3 v0, const vec3 v1, const vec3 v2,
-                                    const ShadingMaterial material) {
-    const vec3 scaled = scaledNormal(v0, v1, v2);
+                                    const TriangleRecord triangle, const ShadingMaterial material) {
+    const vec3 scaled = scaledNormal(triangle.v0, triangle.v1, triangle.v2);
     // Scaled to 1 first: the square of a small triangle's normal would underflow.
     const vec3 normal = unitVector(scaled / largest(abs(scaled)));
     SHARED_PRECISE const float cosine =

@@ -43,10 +43,9 @@ struct Ray {
     float tFar;
 
     // The triangle test's view along the axis in which dir is largest: Woop, Benthin, Wald 2013, section 3.
-    uvec3 axes;   // axes.z is that axis
-    vec3 sheared; // origin in the order of `axes`
-    vec3 shear;   // dir.x / dir.z, dir.y / dir.z, 1 / dir.z in that order
-    float extent; // longest side of the scene box
+    uint lastAxis; // that axis
+    vec3 shear;    // dir.x / dir.z, dir.y / dir.z, 1 / dir.z, with that axis as z
+    float extent;  // longest side of the scene box
 };
 
 SHARED_FN float largest(const vec3 v) { return max(max(v.x, v.y), v.z); }
@@ -120,8 +119,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
 
     const vec3 size = abs(dir);
     const uint last = size.x >= size.y ? (size.x >= size.z ? 0u : 2u) : (size.y >= size.z ? 1u : 2u);
-    ray.axes = uvec3(last == 2u ? 0u : last + 1u, last == 0u ? 2u : last - 1u, last);
-    ray.sheared = inOrder(ray.origin, last);
+    ray.lastAxis = last;
     const vec3 along = inOrder(ray.dir, last);
     SHARED_PRECISE const vec3 shear = vec3(along.x, along.y, 1.0f) / along.z;
     ray.shear = shear;

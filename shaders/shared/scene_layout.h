@@ -10,14 +10,15 @@ const uint kNoTriangle = 0xffffffffu;
 const uint kMaxLatticeResolution = 1023u; // per axis: a packed corner holds 10 bits per axis, hi exclusive
 
 // Binding numbers of the buffers that every kernel over a scene shares (set 0).
-const uint kBindLattice = 0u;
+const uint kBindLattice = 0u; // uniform
 const uint kBindLeaves = 1u;
 const uint kBindTable = 2u;
 const uint kBindMaterialOfTriangle = 3u;
 const uint kBindMaterials = 4u;
-const uint kBindInput = 5u;     // what a kernel reads besides the scene
-const uint kBindOutput = 6u;    // what it writes
-const uint kBindTriangles = 7u; // the first of kTriangleChunks bindings
+const uint kBindCamera = 5u;    // uniform, of kernels that have one
+const uint kBindInput = 6u;     // what a kernel reads besides the scene
+const uint kBindOutput = 7u;    // what it writes
+const uint kBindTriangles = 8u; // the first of kTriangleChunks bindings
 
 // The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it
 // is cut into up to this many buffers of equal size.
@@ -47,10 +48,16 @@ struct Leaf {
     uint triangleCount;
 };
 
-// A triangle record is kTriangleWords 32-bit words: nine coordinates (v0, v1, v2; world space) and the
-// triangle id.
-const uint kTriangleWords = 10u;
-const uint kTriangleIdWord = 9u;
+// One triangle as every traversal reads it, in world space. Corners as vec3 and not word by word: lavapipe
+// pays for the load, not for its size.
+struct TriangleRecord {
+    vec3 v0;
+    uint triangleId;
+    vec3 v1;
+    uint padding0;
+    vec3 v2;
+    uint padding1;
+};
 
 // What shading reads of a material.
 struct ShadingMaterial {
@@ -78,6 +85,10 @@ SHARED_ASSERT_SIZE(Leaf, 16)
 SHARED_ASSERT_OFFSET(Leaf, hi, 4)
 SHARED_ASSERT_OFFSET(Leaf, firstTriangle, 8)
 SHARED_ASSERT_OFFSET(Leaf, triangleCount, 12)
+SHARED_ASSERT_SIZE(TriangleRecord, 48)
+SHARED_ASSERT_OFFSET(TriangleRecord, triangleId, 12)
+SHARED_ASSERT_OFFSET(TriangleRecord, v1, 16)
+SHARED_ASSERT_OFFSET(TriangleRecord, v2, 32)
 SHARED_ASSERT_SIZE(ShadingMaterial, 16)
 SHARED_ASSERT_OFFSET(ShadingMaterial, alpha, 12)
 

@@ -34,7 +34,7 @@ SHARED_FN float differenceOfProducts(const float a, const float b, const float c
     return difference;
 }
 
-// Where the ray hits the triangle, or kNoHit. The vertices are in the order of ray.axes.
+// Where the ray hits the triangle, or kNoHit.
 // S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 //
 // Watertight: shearing moves each vertex to a place of its own in the plane, the same for every triangle that
@@ -46,9 +46,9 @@ SHARED_FN float differenceOfProducts(const float a, const float b, const float c
 // being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
 // weights are computed again without cancellation. accel/README.md says who relies on it.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
-    SHARED_PRECISE const vec3 a = v0 - ray.sheared;
-    SHARED_PRECISE const vec3 b = v1 - ray.sheared;
-    SHARED_PRECISE const vec3 c = v2 - ray.sheared;
+    SHARED_PRECISE const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
+    SHARED_PRECISE const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
+    SHARED_PRECISE const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
     SHARED_PRECISE const float ax = a.x - ray.shear.x * a.z;
     SHARED_PRECISE const float ay = a.y - ray.shear.y * a.z;
     SHARED_PRECISE const float bx = b.x - ray.shear.x * b.z;

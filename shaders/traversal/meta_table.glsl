@@ -28,7 +28,7 @@ Trace traverse(const Ray ray, const bool anyHit) {
     // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
     while (true) {
         ++trace.steps;
-        const Leaf leaf = leaves[leafOfCell[cellIndex(cell, lattice.resolution)]];
+        const Leaf leaf = loadLeaf(leafOfCell[cellIndex(cell, lattice.resolution)]);
         for (uint i = 0u; i < leaf.triangleCount; ++i) {
             testTriangle(ray, leaf.firstTriangle + i, trace);
         }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <bit>
 #include <chrono>
 #include <cmath>
 
@@ -40,20 +39,14 @@ std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
     return ids;
 }
 
-std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene,
-                                               const std::vector<std::uint32_t>& triangleIds) {
-    std::vector<std::uint32_t> words(triangleIds.size() * kTriangleWords);
+std::vector<TriangleRecord> makeTriangleRecords(const Scene& scene,
+                                                const std::vector<std::uint32_t>& triangleIds) {
+    std::vector<TriangleRecord> records(triangleIds.size());
     tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t slot) {
-        std::uint32_t* const record = &words[slot * kTriangleWords];
-        for (int i = 0; i < 3; ++i) {
-            const glm::vec3 position = corner(scene, triangleIds[slot], i);
-            for (int axis = 0; axis < 3; ++axis) {
-                record[3 * i + axis] = std::bit_cast<std::uint32_t>(position[axis]);
-            }
-        }
-        record[kTriangleIdWord] = triangleIds[slot];
+        const std::uint32_t id = triangleIds[slot];
+        records[slot] = {corner(scene, id, 0), id, corner(scene, id, 1), 0, corner(scene, id, 2), 0};
     });
-    return words;
+    return records;
 }
 
 AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options) {
@@ -80,7 +73,7 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
         }
     });
     result.tree = buildKdTree(result.lattice, corners, ids, depth);
-    result.triangleWords = makeTriangleRecords(scene, result.tree.leafTriangles);
+    result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
     result.treeSeconds = lap(clock);
     result.leafOfCell = buildMetaTable(result.lattice, result.tree.leaves);
     result.tableSeconds = lap(clock);

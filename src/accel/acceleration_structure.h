@@ -13,8 +13,8 @@ struct AccelerationStructure {
     Lattice lattice;
     glm::dvec3 unit; // LatticeChoice::unit
     KdTree tree;
-    std::vector<std::uint32_t> leafOfCell;    // the meta table
-    std::vector<std::uint32_t> triangleWords; // kTriangleWords per entry of tree.leafTriangles
+    std::vector<std::uint32_t> leafOfCell; // the meta table
+    std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles
 
     std::uint32_t degenerateTriangles = 0; // of the scene, in no leaf
     double treeSeconds = 0.0;              // wall time
@@ -24,9 +24,9 @@ struct AccelerationStructure {
 // Throws what makeLattice and buildKdTree throw; Error(badArguments) for a depth over kMaxTreeDepth.
 AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options);
 
-// The records of `triangleIds`, kTriangleWords each.
-std::vector<std::uint32_t> makeTriangleRecords(const Scene& scene,
-                                               const std::vector<std::uint32_t>& triangleIds);
+// The records of `triangleIds`, in their order.
+std::vector<TriangleRecord> makeTriangleRecords(const Scene& scene,
+                                                const std::vector<std::uint32_t>& triangleIds);
 
 // Ids of the triangles that have a normal in single precision, ascending: those that rays can meet.
 std::vector<std::uint32_t> solidTriangles(const Scene& scene);

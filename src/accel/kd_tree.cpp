@@ -65,7 +65,7 @@ class Builder {
         node->box = box;
         const std::optional<Split> split =
             references.empty() || depth == maxDepth ? std::nullopt : findSplit(references, box, cellSize);
-        if (!split || split->cost >= kStepCost + static_cast<double>(references.size())) {
+        if (!split || split->cost >= leafCost(references.size())) {
             node->triangleIds.reserve(references.size());
             for (const TriangleReference& reference : references) {
                 node->triangleIds.push_back(ids[reference.triangleId]);

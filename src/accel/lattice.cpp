@@ -44,6 +44,9 @@ glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
     return glm::dvec3(fits);
 }
 
+// A number printed with six digits may be this much too small.
+constexpr double kDigitsRounding = 1.0 + 5e-6;
+
 void refuseOverLimit(const glm::dvec3 counts, const glm::dvec3 extent) {
     const double longest = std::max({counts.x, counts.y, counts.z});
     if (longest > kMaxLatticeResolution) {
@@ -53,7 +56,7 @@ void refuseOverLimit(const glm::dvec3 counts, const glm::dvec3 extent) {
                 "the unit length asks for {:.0f} x {:.0f} x {:.0f} cells, and a lattice has at most {} "
                 "on an axis; choose a unit of at least {:.6g}",
                 counts.x, counts.y, counts.z, kMaxLatticeResolution,
-                std::max({extent.x, extent.y, extent.z}) / kMaxLatticeResolution));
+                std::max({extent.x, extent.y, extent.z}) / kMaxLatticeResolution * kDigitsRounding));
     }
     const double bytes = product(counts) * sizeof(std::uint32_t);
     if (bytes > static_cast<double>(kTableBudget)) {
@@ -86,10 +89,10 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     }
 
     LatticeChoice choice;
-    if (options.unit) {
-        choice.unit = *options.unit;
-    } else if (empty) {
+    if (empty) {
         choice.unit = extent;
+    } else if (options.unit) {
+        choice.unit = *options.unit;
     } else {
         const double automatic = std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMaxCells);
         const double cells = options.cells ? static_cast<double>(*options.cells) : automatic;

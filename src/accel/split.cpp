@@ -46,10 +46,9 @@ std::optional<Split> sweepAxis(const std::span<const TriangleReference> referenc
         glm::dvec3 upper = size;
         lower[static_cast<int>(axis)] = (i + 1) * cellSize[static_cast<int>(axis)];
         upper[static_cast<int>(axis)] = (planes - i) * cellSize[static_cast<int>(axis)];
-        const double tests = invArea * (halfArea(lower) * static_cast<double>(below) +
-                                        halfArea(upper) * static_cast<double>(above));
-        const double bonus = below == 0 || above == 0 ? 1.0 - kEmptyBonus : 1.0;
-        const double cost = kStepCost + bonus * tests;
+        const double crossings =
+            invArea * (halfArea(lower) * leafCost(below) + halfArea(upper) * leafCost(above));
+        const double cost = below == 0 || above == 0 ? (1.0 - kEmptyBonus) * crossings : crossings;
         if (!best || cost < best->cost) {
             best = Split{axis, static_cast<std::uint16_t>(first + i + 1), cost};
         }

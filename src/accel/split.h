@@ -17,13 +17,19 @@ struct TriangleReference {
 struct Split {
     unsigned axis;
     std::uint16_t plane; // cells below it belong to one child, the cell `plane` and those above to the other
-    double cost;         // expected cost of a ray that crosses the node, in triangle tests
+    double cost;         // of a ray that crosses the node, in triangle tests, its children being leaves
 };
 
 // What the structure costs a ray, in units of one triangle test. Chosen by measurement: README.md in this
 // folder.
 inline constexpr double kStepCost = 1.5;
 inline constexpr double kEmptyBonus = 0.2; // part of the cost that a split saves by cutting off empty space
+
+// Of a ray that crosses a leaf. The march visits no inner nodes: a split costs by the leaves it adds to a
+// ray's way.
+constexpr double leafCost(const std::size_t references) {
+    return kStepCost + static_cast<double>(references);
+}
 
 // The cheapest split, or nothing when the node is one cell wide in every axis. Of equal costs the lowest axis
 // and plane win. J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The

@@ -2,15 +2,15 @@
 
 namespace metamarch {
 
-TraceResult traceBruteForce(const std::span<const std::uint32_t> triangleWords, const Ray& ray,
+TraceResult traceBruteForce(const std::span<const TriangleRecord> triangles, const Ray& ray,
                             const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
-    const auto count = static_cast<std::uint32_t>(triangleWords.size() / kTriangleWords);
+    const auto count = static_cast<std::uint32_t>(triangles.size());
     for (std::uint32_t slot = 0; slot < count && !isDone(trace, query); ++slot) {
-        testTriangle(triangleWords, ray, slot, trace);
+        testTriangle(triangles, ray, slot, trace);
     }
     return trace;
 }

@@ -56,7 +56,7 @@ TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, con
 
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            testTriangle(scene.triangleWords, ray, leaf.firstTriangle + i, trace);
+            testTriangle(scene.triangles, ray, leaf.firstTriangle + i, trace);
             if (isDone(trace, query)) {
                 return trace;
             }

@@ -42,7 +42,7 @@ TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, c
         ++trace.steps;
         const Leaf& leaf = scene.tree.leaves[scene.leafOfCell[cellIndex(cell, resolution)]];
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            testTriangle(scene.triangleWords, ray, leaf.firstTriangle + i, trace);
+            testTriangle(scene.triangles, ray, leaf.firstTriangle + i, trace);
         }
         if (isDone(trace, query)) {
             return trace;

@@ -16,11 +16,7 @@ PrimaryPixel renderPixel(const AccelerationStructure& structure,
     const TraceResult trace = traceKdStack(structure, ray, HitQuery::closest);
     PrimaryPixel pixel = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
-        constexpr auto kAxes = uvec3(0, 1, 2);
-        const std::span<const std::uint32_t> words = structure.triangleWords;
-        pixel = shadePrimary(camera, view, ray, trace.hit, triangleCorner(words, trace.slot, 0, kAxes),
-                             triangleCorner(words, trace.slot, 1, kAxes),
-                             triangleCorner(words, trace.slot, 2, kAxes),
+        pixel = shadePrimary(camera, view, ray, trace.hit, structure.triangles[trace.slot],
                              materials[materialOfTriangle[trace.hit.triangleId]]);
     }
     pixel.steps = trace.steps;

@@ -19,9 +19,9 @@ struct TraceResult {
     std::uint32_t tests = 0; // triangle tests
 };
 
-// Tests every one of `triangleWords` (makeTriangleRecords of every solid triangle). Judges the other judges:
+// Tests every one of `triangles` (makeTriangleRecords of every solid triangle). Judges the other judges:
 // it knows neither tree nor table.
-TraceResult traceBruteForce(std::span<const std::uint32_t> triangleWords, const Ray& ray, HitQuery query);
+TraceResult traceBruteForce(std::span<const TriangleRecord> triangles, const Ray& ray, HitQuery query);
 
 // The classic walk of the kd-tree with a stack: the paper's figures 3 and 4, with the closest hit made safe
 // against triangles that reach past their leaf. Visits are inner nodes and leaves.

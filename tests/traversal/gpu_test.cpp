@@ -59,10 +59,10 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
     });
     expectSameHits(rays, march, stack, Counters::ignored);
     const std::span<const RayQuery> few = std::span(rays).first(kBruteForceRays);
-    const std::vector<std::uint32_t> words =
+    const std::vector<TriangleRecord> triangles =
         makeTriangleRecords(loaded->scene, solidTriangles(loaded->scene));
     const auto brute = traceAll(structure.lattice, few, [&](const Ray& ray) {
-        return traceBruteForce(words, ray, HitQuery::closest);
+        return traceBruteForce(triangles, ray, HitQuery::closest);
     });
     expectSameHits(few, std::span(stack).first(kBruteForceRays), brute, Counters::ignored);
     const auto hits = std::count_if(stack.begin(), stack.end(),

@@ -100,11 +100,11 @@ TEST_P(Judges, agreeOnTrickyRays) {
         EXPECT_EQ(march.front().triangleId, kNoTriangle);
         return;
     }
-    const std::vector<std::uint32_t> words = makeTriangleRecords(scene, solidTriangles(scene));
+    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
     const std::vector<RayQuery> rays = trickyRays(scene, structure, 50000, 7);
     for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
-        const auto brute =
-            traceAll(structure.lattice, rays, [&](const Ray& r) { return traceBruteForce(words, r, query); });
+        const auto brute = traceAll(structure.lattice, rays,
+                                    [&](const Ray& r) { return traceBruteForce(triangles, r, query); });
         const auto stack = traceAll(structure.lattice, rays,
                                     [&](const Ray& r) { return traceKdStack(structure, r, query); });
         const auto march = traceAll(structure.lattice, rays,
