@@ -32,7 +32,7 @@ struct Ray {
     vec3 origin; // world space, in or just before the scene box
     float shift;
     vec3 dir;   // need not be of unit length; components that count as zero are zero
-    float tMin; // a hit has tMin < t <= tMax; tMax < 0: the ray meets nothing
+    float tMin; // a hit has tMin < t <= tMax; tMax < tMin: the ray meets nothing
     float tMax;
 
     // Lattice space: one unit is one cell, t is unchanged.
@@ -113,7 +113,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
 
     SHARED_PRECISE const float tMinHere = max(tMin - shift, 0.0f);
     SHARED_PRECISE const float tMaxHere = tMax - shift;
-    ray.tMin = tMinHere;
+    ray.tMin = sane ? tMinHere : 0.0f; // never NaN, so that tMax < tMin shows that the ray meets nothing
     // Geometry keeps off the faces of the lattice, so a ray that only grazes them meets nothing.
     ray.tMax = sane && reach.x <= reach.y && ray.tNear <= ray.tFar ? tMaxHere : -1.0f;
 
