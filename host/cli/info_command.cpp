@@ -2,6 +2,7 @@
 
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
+#include "cli/warnings.h"
 #include "scene/import.h"
 
 #include <fmt/format.h>
@@ -54,10 +55,9 @@ void printText(const nlohmann::ordered_json& report) {
 void runInfo(const InfoOptions& options) {
     const AccelerationOptions structureOptions = options.structure.parse();
     const Scene scene = loadScene(options.scenePath, options.structure.scale());
-    for (const std::string& warning : scene.warnings) {
-        fmt::print(stderr, "metamarch: warning: {}\n", warning);
-    }
+    printWarnings(scene);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    printWarnings(scene, structure);
     const nlohmann::ordered_json report = reportStructure(scene, structure);
     if (options.json) {
         fmt::print("{}\n", report.dump(2));

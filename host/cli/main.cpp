@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <new>
 
 namespace metamarch::cli {
@@ -110,6 +111,12 @@ int run(int argc, char** argv) {
     return static_cast<int>(ExitCode::done);
 }
 
+// What sub-commands print stays in a buffer until here: a full disk may show only now.
+void flushOutput() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw Error(ExitCode::outputNotWritable, "cannot write to standard output");
+}
+
 } // namespace
 } // namespace metamarch::cli
 
@@ -117,6 +124,7 @@ int main(int argc, char** argv) {
     using namespace metamarch;
     try {
         const int code = cli::run(argc, argv);
+        cli::flushOutput();
         // Validation is for developers, and a message a defect of the program.
         return vulkan::validationMessages() == 0
                    ? code

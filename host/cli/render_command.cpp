@@ -5,6 +5,7 @@
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
 #include "cli/version.h"
+#include "cli/warnings.h"
 #include "error.h"
 #include "image/image_file.h"
 #include "image/output_file.h"
@@ -21,6 +22,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -93,6 +95,10 @@ SceneCamera chooseCamera(const RenderOptions& options, const Scene& scene, const
     }
     camera.verticalFov = verticalFov.value_or(camera.verticalFov);
     return camera;
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    return weakly_canonical(absolute(a)) == weakly_canonical(absolute(b));
 }
 
 double secondsSince(const std::chrono::steady_clock::time_point start) {
@@ -193,6 +199,9 @@ void runRender(const RenderOptions& options) {
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
+        if (sameFile(options.statsPath, options.outputPath)) {
+            throw Error(ExitCode::badArguments, "--stats and --output name the same file");
+        }
     }
 
     // Before the long work, what can go wrong without it.
@@ -204,12 +213,11 @@ void runRender(const RenderOptions& options) {
     }
 
     const Scene scene = loadScene(options.scenePath, options.structure.scale());
-    for (const std::string& warning : scene.warnings) {
-        fmt::print(stderr, "metamarch: warning: {}\n", warning);
-    }
+    printWarnings(scene);
     const SceneCamera sceneCamera = chooseCamera(options, scene, size);
     const Camera camera = makeCamera(sceneCamera, size.x, size.y);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    printWarnings(scene, structure);
     const ShadingData shading = makeShadingData(scene);
     const std::string traversal =
         options.traversal.empty() ? std::string(traversals().front()) : options.traversal;
@@ -222,7 +230,9 @@ void runRender(const RenderOptions& options) {
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, size);
     writeImage(image, options.outputPath);
     if (!options.statsPath.empty()) {
-        writeText(options.statsPath, stats.dump(2) + "\n");
+        // A driver may call its device by bytes that are no UTF-8.
+        writeText(options.statsPath,
+                  stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (!options.quiet) {
         fmt::print(
@@ -280,8 +290,9 @@ void addRenderCommand(CLI::App& program) {
         ->capture_default_str()
         ->group(deviceGroup);
     options->structure.addTo(*command);
-    command->footer("Pixel (0,0) is top left; rays go through pixel centres.\n\n"
-                    "Example:\n  build/metamarch render scenes/objects.glb -o objects.exr --size 640x360");
+    command->footer(
+        "Pixel (0,0) is top left; rays go through pixel centres.\n\n"
+        "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360");
     command->callback([options] { runRender(*options); });
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace metamarch::cli {
@@ -43,14 +44,17 @@ AccelerationOptions StructureOptions::parse() const {
                         fmt::format("--unit {}: a unit length is greater than 0", unit));
         }
     }
-    if (cells && *cells == 0) {
-        throw Error(ExitCode::badArguments, "--cells 0: a lattice has at least one cell");
+    if (cells && !(*cells >= 1.0)) { // NaN too
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--cells {}: a lattice has at least one cell", *cells));
     }
     if (treeDepth && *treeDepth > kMaxTreeDepth) {
         throw Error(ExitCode::badArguments,
                     fmt::format("--tree-depth {}: the limit is {}", *treeDepth, kMaxTreeDepth));
     }
-    options.cells = cells;
+    if (cells) {
+        options.cells = static_cast<std::uint64_t>(std::min(*cells, 0x1p62)); // far over the limit
+    }
     options.treeDepth = treeDepth;
     if (preset == "paper" && !treeDepth) {
         options.treeDepth = kPaperTreeDepth;

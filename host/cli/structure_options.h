@@ -21,7 +21,7 @@ class StructureOptions {
     double scaleFactor = 1.0;
     std::string unit;
     std::string preset;
-    std::optional<std::uint64_t> cells;
+    std::optional<double> cells; // as a number: an unsigned integer would take -5 for 2^64 - 5
     std::optional<unsigned> treeDepth;
 };
 

@@ -19,7 +19,7 @@ void copyTile(const std::span<const PrimaryPixel, kTilePixels> tile, const std::
     const std::uint32_t width = std::min(kTileSide, camera.width - left);
     const std::uint32_t height = std::min(kTileSide, camera.height - top);
     for (std::uint32_t row = 0; row < height; ++row) {
-        std::copy_n(tile.begin() + row * kTileSide, width,
+        std::copy_n(tile.subspan(std::size_t{row} * kTileSide).begin(), width,
                     pixels.begin() +
                         static_cast<std::ptrdiff_t>(std::size_t{top + row} * camera.width + left));
     }

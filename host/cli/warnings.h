@@ -1,0 +1,14 @@
+// What the user should know of a scene that is read all the same: on stderr, a line each.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "scene/scene.h"
+
+namespace metamarch::cli {
+
+// What the importer left out or repaired.
+void printWarnings(const Scene& scene);
+
+// A scene whose triangles are all degenerate: its picture is empty.
+void printWarnings(const Scene& scene, const AccelerationStructure& structure);
+
+} // namespace metamarch::cli

@@ -1,0 +1,202 @@
+"""Every way to call the program wrongly, and some right ones: exit code, stdout, the one line on stderr.
+
+To test another call, add a line to CASES; to test a file, write it in make_files(). `{scenes}` is the project's folder of
+scenes; all else is relative to a temporary folder.
+"""
+import re
+import struct
+import zlib
+
+from program import SCENES, ProgramTest, main, shared_scenes
+
+NO_OUTPUT = r""
+ANYTHING = r".*"
+
+
+def png(path, color):
+    """A 2x1 picture of one RGB colour, written by hand: the tests need no image library."""
+    def chunk(name, body):
+        return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+
+    rows = b"\0" + bytes(color) * 2
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 2, 1, 8, 2, 0, 0, 0))
+                     + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+def make_files(tmp):
+    png(tmp / "black.png", (0, 0, 0))
+    png(tmp / "grey.png", (0, 51, 0))  # 51 / 255 = 0.2
+    (tmp / "text.exr").write_text("this is no picture\n")
+    (tmp / "empty.exr").write_bytes(b"")
+    (tmp / "folder.exr").mkdir()
+    cornell = (SCENES / "cornell.glb").read_bytes()
+    (tmp / "cornell.glb").write_bytes(cornell)
+    (tmp / "unknown.gtlf").write_bytes(cornell)
+    for length in (4, 12, 20, 700, len(cornell) - 1):
+        (tmp / f"first_{length}.glb").write_bytes(cornell[:length])
+    for ending in ("glb", "gltf", "obj", "ply", "off", "stl"):
+        (tmp / f"empty.{ending}").write_bytes(b"")
+        (tmp / f"prose.{ending}").write_text("It was a dark and stormy night;\nthe rain fell in torrents.\n")
+
+
+# (arguments, exit code, stdout, the line on stderr without "metamarch: "); the last two are regular expressions for the
+# whole of it, and on stdout `.` also matches the end of a line.
+CASES = [
+    # the program itself
+    ("", 2, ANYTHING, r"no sub-command given; see `metamarch SUBCOMMAND --help`"),
+    ("--version", 0, r"metamarch \d+\.\d+\.\d+ \([0-9a-z-]+\)\nVulkan headers +1\.\d+\.\d+\n.*", NO_OUTPUT),
+    ("--help", 0, r".*Exit codes:\n.*Example:\n  build/metamarch .*\n", NO_OUTPUT),
+    ("compar", 2, NO_OUTPUT, r"unknown sub-command `compar`; did you mean `compare`\? .*"),
+    ("qqqqqq", 2, NO_OUTPUT, r"unknown sub-command `qqqqqq` \(see `metamarch --help`: .*"),
+    ("--versoin", 2, NO_OUTPUT, r"unknown option `--versoin`; did you mean `--version`\? .*"),
+    # compare: bounds
+    ("compare black.png black.png", 0, r"channel .*within bounds: 0 of 2 pixels fail.*", NO_OUTPUT),
+    ("compare black.png grey.png", 1, r".*\nout of bounds: 2 of 2 pixels fail.*",
+     r"black.png and grey.png differ: 2 of 2 pixels .*"),
+    ("compare black.png grey.png --max-abs 0.19", 1, ANYTHING, r".* differ: .*"),
+    ("compare black.png grey.png --max-abs 0.21", 0, ANYTHING, NO_OUTPUT),
+    ("compare black.png grey.png --max-fail-percent 99", 1, ANYTHING, r".* differ: .*"),
+    ("compare black.png grey.png --max-fail-percent 100", 0, ANYTHING, NO_OUTPUT),
+    # compare: bad arguments
+    ("compare", 2, NO_OUTPUT, r"compare: A is required \(see `metamarch compare --help`\)"),
+    ("compare black.png", 2, NO_OUTPUT, r"compare: B is required .*"),
+    ("compare a b c", 2, NO_OUTPUT, r"compare: unknown argument `c` .*"),
+    ("compare a b --maxabs 1", 2, NO_OUTPUT, r"compare: unknown argument `--maxabs`; did you mean `--max-abs`\? .*"),
+    ("compare a b --max-abs -1", 2, NO_OUTPUT, r"--max-abs: -1 is no bound; .*"),
+    ("compare a b --max-abs nan", 2, NO_OUTPUT, r"--max-abs: nan is no bound; .*"),
+    ("compare a b --max-abs much", 2, NO_OUTPUT, r"compare: .*--max-abs.*"),
+    ("compare a b --max-fail-percent -0.1", 2, NO_OUTPUT, r"--max-fail-percent: -0.1 is no bound; .*"),
+    ("compare a b --out difference.jpg", 2, NO_OUTPUT, r"difference.jpg: a picture is written as .exr or .png"),
+    # compare: unreadable pictures, unwritable output
+    ("compare missing.exr black.png", 3, NO_OUTPUT, r"cannot read missing.exr: No such file or directory"),
+    ("compare black.png text.exr", 3, NO_OUTPUT, r"cannot read text.exr: .*"),
+    ("compare black.png empty.exr", 3, NO_OUTPUT, r"cannot read empty.exr: .*"),
+    ("compare black.png .", 3, NO_OUTPUT, r"cannot read .: it is a folder"),
+    ("compare black.png grey.png --out no/a.exr", 5, NO_OUTPUT, r"cannot write no/a.exr: there is no such folder"),
+    ("compare black.png grey.png --out folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
+    # devices
+    ("devices", 0, r"\* \d+  .* usable +yes.*", NO_OUTPUT),
+    ("devices --json", 0, r'\[\n.*"usable": true.*\]\n', NO_OUTPUT),
+    ("devices --jsn", 2, NO_OUTPUT, r"devices: unknown argument `--jsn`; did you mean `--json`\? .*"),
+    ("devices 0", 2, NO_OUTPUT, r"devices: unknown argument `0` .*"),
+    # scenes that cannot be read; render and info read them in the same way
+    ("render missing.glb -o a.exr", 3, NO_OUTPUT, r"missing.glb: no such file"),
+    ("render . -o a.exr", 3, NO_OUTPUT, r".: not a regular file"),
+    ("render unknown.gtlf -o a.exr", 3, NO_OUTPUT, r"unknown.gtlf: the ending '.gtlf' is none of .gltf .glb .*"),
+    ("render first_4.glb -o a.exr", 3, NO_OUTPUT, r"first_4.glb: .*"),
+    ("render first_12.glb -o a.exr", 3, NO_OUTPUT, r"first_12.glb: .*"),
+    ("render first_20.glb -o a.exr", 3, NO_OUTPUT, r"first_20.glb: .*"),
+    ("render first_700.glb -o a.exr", 3, NO_OUTPUT, r"first_700.glb: GLB length \d+ is more than the file's 700 bytes"),
+    ("info first_6619.glb", 3, NO_OUTPUT, r"first_6619.glb: GLB length 6620 is more than the file's 6619 bytes"),
+    *((f"info empty.{ending}", 3, NO_OUTPUT, rf"empty.{ending}: the file is empty")
+      for ending in ("glb", "gltf", "obj", "ply", "off", "stl")),
+    *((f"info prose.{ending}", 3, NO_OUTPUT, rf"prose.{ending}: .*")
+      for ending in ("glb", "gltf", "obj", "ply", "off", "stl")),
+    ("render prose.obj -o a.exr --stats s.json", 3, NO_OUTPUT, r"prose.obj: there is no triangle in it"),
+    # render: the output
+    ("render cornell.glb", 2, NO_OUTPUT, r"render: --output is required .*"),
+    ("render cornell.glb -o a.jpg", 2, NO_OUTPUT, r"a.jpg: a picture is written as .exr or .png"),
+    ("render cornell.glb -o a", 2, NO_OUTPUT, r"a: a picture is written as .exr or .png"),
+    ("render cornell.glb -o cornell.glb", 2, NO_OUTPUT, r"cornell.glb: a picture is written as .exr or .png"),
+    ("render cornell.glb -o no/a.exr", 5, NO_OUTPUT, r"cannot write no/a.exr: there is no such folder"),
+    ("render cornell.glb -o folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
+    ("render cornell.glb -o a.exr --stats no/s.json", 5, NO_OUTPUT, r"cannot write no/s.json: there is no such folder"),
+    ("render cornell.glb -o a.exr --stats folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
+    ("render cornell.glb -o a.exr --stats ./a.exr", 2, NO_OUTPUT, r"--stats and --output name the same file"),
+    # render: the picture's size
+    *((f"render cornell.glb -o a.exr --size {size}", 2, NO_OUTPUT,
+       rf"--size {size}: give WIDTHxHEIGHT in pixels, both at least 1")
+      for size in ("0x0", "0x5", "10", "-5x5", "5x5x5", "axb", "1e3x5", "4294967296x1")),
+    ("render cornell.glb -o a.exr --size 99999x99999", 6, NO_OUTPUT, r"--size 99999x99999: 9999800001 pixels are over .*"),
+    # tree and table
+    *((f"info cornell.glb --unit {unit}", 2, NO_OUTPUT, rf"--unit {unit}: .*")
+      for unit in ("-1", "0", "1,0,1", "nan", "inf", "1e300", "1,2", "1,2,3,4", "1,,2", "wide")),
+    ("info cornell.glb --unit 1e-9", 6, NO_OUTPUT, r"the unit length asks for .* choose a unit of at least .*"),
+    *((f"info cornell.glb --cells {cells}", 2, NO_OUTPUT, rf"--cells {cells}: a lattice has at least one cell")
+      for cells in ("0", "-5", "0.5", "nan")),
+    ("info cornell.glb --cells many", 2, NO_OUTPUT, r"info: Could not convert: --cells = many .*"),
+    *((f"info cornell.glb --cells {cells}", 6, NO_OUTPUT, r"a meta table of \d+ cells takes .* --cells below 268435456")
+      for cells in ("1000000000000", "1e12", "1e300", "inf")),
+    ("info cornell.glb --tree-depth 999", 2, NO_OUTPUT, r"--tree-depth 999: the limit is \d+"),
+    *((f"info cornell.glb --tree-depth {depth}", 2, NO_OUTPUT, rf"info: Could not convert: --tree-depth = {depth} .*")
+      for depth in ("-1", "1.5", "deep")),
+    ("info cornell.glb --unit 1 --cells 5", 2, NO_OUTPUT, r"info: --unit excludes --cells .*"),
+    ("info cornell.glb --preset fast", 2, NO_OUTPUT, r"info: --preset: fast not in \{paper\} .*"),
+    *((f"info cornell.glb --scale {scale}", 2, NO_OUTPUT, r"--scale .*: give a finite number other than 0")
+      for scale in ("0", "nan", "inf", "1e300", "1e-300")),
+    ("info cornell.glb --scale 1e30", 3, NO_OUTPUT, r"the scene's longest side is 5.59e\+29, .* use --scale"),
+    ("info cornell.glb --scale -1", 0, r"vertices +64\n.*", NO_OUTPUT),
+    ("info cornell.glb --scale 1e-30", 0, ANYTHING, r"warning: all 32 triangles are degenerate, nothing is visible; .*"),
+    # render: device and method
+    ("render cornell.glb -o a.exr --device 99", 4, NO_OUTPUT, r"--device 99: there is no such device; devices: 0: .*"),
+    ("render cornell.glb -o a.exr --device nonsense", 4, NO_OUTPUT, r"--device 'nonsense': fits no usable device; .*"),
+    ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r"--backend cpu .* for the gpu"),
+    ("render cornell.glb -o a.exr --traversal fast", 2, NO_OUTPUT, r"render: --traversal: fast not in \{meta_table.*"),
+    ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"render: --integrator: fast not in \{primary.*"),
+    ("render cornell.glb -o a.exr --backend fast", 2, NO_OUTPUT, r"render: --backend: fast not in \{gpu,cpu\} .*"),
+    # render: the camera
+    ("render cornell.glb -o a.exr --camera side", 2, NO_OUTPUT, r"--camera side: no such camera; the scene has 0 'front'"),
+    ("render cornell.glb -o a.exr --camera 1", 2, NO_OUTPUT, r"--camera 1: no such camera; .*"),
+    ("render {scenes}/degenerate.glb -o a.exr --camera 0", 2, NO_OUTPUT, r"--camera 0: the scene has no camera; .*"),
+    ("render cornell.glb -o a.exr --eye 1,2,3", 2, NO_OUTPUT, r"--eye and --target belong together"),
+    ("render cornell.glb -o a.exr --target 1,2,3", 2, NO_OUTPUT, r"--eye and --target belong together"),
+    ("render cornell.glb -o a.exr --up 0,1,0", 2, NO_OUTPUT, r"--up needs --eye and --target"),
+    ("render cornell.glb -o a.exr --eye 0,2,0 --target 0,0,0 --camera 0", 2, NO_OUTPUT, r"--camera and --eye exclude .*"),
+    *((f"render cornell.glb -o a.exr --eye {eye} --target 0,0,0", 2, NO_OUTPUT,
+       rf"--eye {eye}: give three numbers, x,y,z") for eye in ("1,2", "1,2,3,4", "0,nan,0", "0,1e39,0", "here")),
+    ("render cornell.glb -o a.exr --eye 1,2,3 --target 1,2,3", 2, NO_OUTPUT, r"--eye and --target are the same point"),
+    ("render cornell.glb -o a.exr --eye 0,2,0 --target 0,0,0", 2, NO_OUTPUT, r"--up is zero or along the view; .*"),
+    ("render cornell.glb -o a.exr --eye 0,0,2 --target 0,0,0 --up 0,0,0", 2, NO_OUTPUT, r"--up is zero or along .*"),
+    *((f"render cornell.glb -o a.exr --vfov {degrees}", 2, NO_OUTPUT,
+       rf"--vfov {degrees}: give degrees between 0 and 180") for degrees in ("0", "180", "-10", "nan", "inf")),
+    ("render cornell.glb -o a.exr --vfov wide", 2, NO_OUTPUT, r"render: Could not convert: --vfov = wide .*"),
+    # render: words
+    ("render cornell.glb -o a.exr --sise 5x5", 2, NO_OUTPUT, r"render: unknown argument `--sise`; did you mean `--size`\? .*"),
+    ("render cornell.glb b.glb -o a.exr", 2, NO_OUTPUT, r"render: unknown argument `b.glb` .*"),
+    ("render cornell.glb -o a.exr --size", 2, NO_OUTPUT, r"render: --size: 1 required WxH missing .*"),
+    ("render cornell.glb -o a.exr --size 8x8 --backend cpu", 0, r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
+]
+
+
+class ArgumentsTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        make_files(self.tmp)
+
+    def test_cases(self):
+        for arguments, code, stdout, stderr in CASES:
+            with self.subTest(arguments=arguments):
+                before = sorted(self.tmp.iterdir())
+                result = self.run_program(*arguments.format(scenes=SCENES).split())
+                self.assertEqual(result.returncode, code, result.stderr)
+                self.assertTrue(re.fullmatch(stdout, result.stdout, re.DOTALL), result.stdout)
+                line = rf"metamarch: (?:{stderr})\n" if stderr else ""
+                self.assertTrue(re.fullmatch(line, result.stderr), result.stderr)
+                if code != 0:
+                    self.assertEqual(sorted(self.tmp.iterdir()), before)
+
+    def test_no_driver(self):
+        for words in (["devices"], ["render", "cornell.glb", "-o", "a.exr"]):
+            line = self.refuse(4, *words, VK_DRIVER_FILES="/nonexistent", VK_ICD_FILENAMES="/nonexistent")
+            self.assertRegex(line, r"no Vulkan driver: install .*")
+
+    def test_a_full_disk_shows_on_stdout(self):
+        with open("/dev/full", "wb") as full:
+            for words in (["info", "cornell.glb"], ["devices", "--json"], ["--version"]):
+                result = self.run_program(*words, stdout=full)
+                self.assertEqual((result.returncode, result.stderr),
+                                 (5, "metamarch: cannot write to standard output\n"), words)
+
+    def test_malformed_shared_scenes(self):
+        folder = shared_scenes()
+        for path in sorted((folder / "gltf" / "malformed").rglob("*.gl*")) if folder else []:
+            with self.subTest(path=path.name):
+                picture = f"{path.name}.exr"
+                result = self.run_program("render", path, "-o", picture, "--size", "8x6", "--quiet")
+                kind = {0: "warning: ", 3: ""}[result.returncode]  # repaired or refused, and said so
+                self.assertRegex(result.stderr, rf"\Ametamarch: {kind}{re.escape(str(path))}: [^\n]+\n\Z")
+                self.assertEqual((self.tmp / picture).exists(), result.returncode == 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,64 @@
+"""What `info` reports."""
+import json
+
+from program import SCENES, ProgramTest, main, shared_scenes
+
+# A dot opens an object.
+KEYS = """vertices triangles bounds.min bounds.max lattice.resolution lattice.unit table.cells tree.nodes tree.leaves
+tree.emptyLeaves tree.references tree.depth bytes.tree bytes.table bytes.triangles seconds.tree seconds.table""".split()
+
+
+def value(report, key):
+    for name in key.split("."):
+        report = report[name]
+    return report
+
+
+class InfoTest(ProgramTest):
+    def info(self, *words):
+        return json.loads(self.succeed("info", *words, "--json"))
+
+    def test_keys(self):
+        for scene in ("cornell", "objects", "degenerate"):
+            report = self.info(SCENES / f"{scene}.glb")
+            for key in KEYS:
+                with self.subTest(scene=scene, key=key):
+                    self.assertIsNotNone(value(report, key))
+
+    def test_numbers(self):
+        report = self.info(SCENES / "cornell.glb", "--unit", "0.1")
+        self.assertEqual(report["triangles"], 32)
+        self.assertEqual(report["bounds"], {"min": [-0.278, 0.0, -0.2796], "max": [0.278, 0.5488, 0.2796]})
+        self.assertEqual(report["lattice"], {"resolution": [6, 6, 6], "unit": [0.1, 0.1, 0.1]})
+        self.assertEqual((report["table"]["cells"], report["bytes"]["table"]), (216, 216 * 4))
+
+    def test_scale(self):
+        report = self.info(SCENES / "cornell.glb", "--scale", "-2")
+        self.assertEqual(report["bounds"], {"min": [-0.556, -1.0976, -0.5592], "max": [0.556, 0.0, 0.5592]})
+
+    def test_text(self):
+        text = self.succeed("info", SCENES / "objects.glb", "--cells", "1e5")
+        for label in ("vertices", "triangles", "bounds", "lattice", "kd-tree", "leaves", "memory", "built in"):
+            self.assertRegex(text, rf"(?m)^{label} +\S")
+
+    def test_the_papers_models(self):
+        folder = shared_scenes()
+        if not folder:
+            return
+        models = {
+            "bunny.ply": (["--unit", "0.002"], 69451, [78, 78, 61], 371124),
+            "cow_viewpoint.obj": (["--scale", "0.1", "--unit", "0.02"], 5804, [53, 32, 18], 30528),
+        }
+        for name, (options, triangles, resolution, cells) in models.items():
+            with self.subTest(name=name):
+                report = self.info(folder / "paper" / name, *options, "--preset", "paper")
+                self.assertEqual(report["triangles"], triangles)
+                self.assertEqual(report["lattice"]["resolution"], resolution)
+                self.assertEqual(report["table"]["cells"], cells)
+                self.assertLessEqual(report["tree"]["depth"], 16)
+                if name == "bunny.ply":  # which has nothing but positions: none is split
+                    self.assertEqual(report["vertices"], 35947)
+
+
+if __name__ == "__main__":
+    main()

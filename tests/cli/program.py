@@ -1,0 +1,86 @@
+"""What the tests of the program share: how to run it, where scenes are, how to read a picture.
+
+Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main().
+"""
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+SCENES = SOURCE / "scenes"
+
+_metamarch = None
+
+
+def metamarch():
+    return _metamarch
+
+
+def main():
+    global _metamarch
+    _metamarch = Path(sys.argv.pop(1)).resolve()
+    unittest.main()
+
+
+def shared_scenes():
+    """The folder of other people's scenes, or None, said on stderr."""
+    folder = Path(os.environ.get("METAMARCH_SCENES", SOURCE.parent / "shared" / "scenes"))
+    if folder.is_dir():
+        return folder
+    if "METAMARCH_SCENES" in os.environ:
+        raise NotADirectoryError(f"METAMARCH_SCENES names no folder: {folder}")
+    print(f"the shared scenes are absent: {folder}; METAMARCH_SCENES names another folder", file=sys.stderr)
+    return None
+
+
+class ProgramTest(unittest.TestCase):
+    """Runs the program in a folder of its own, `self.tmp`, with the Vulkan validation layers on."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="metamarch-cli-")
+        self.addCleanup(folder.cleanup)
+        self.tmp = Path(folder.name) / "work"
+        self.tmp.mkdir()
+        self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(Path(folder.name) / "cache")}
+
+    def run_program(self, *words, stdout=subprocess.PIPE, **environment):
+        return subprocess.run([metamarch(), *words], cwd=self.tmp, stdout=stdout, stderr=subprocess.PIPE, text=True,
+                              timeout=300, check=False, env={**os.environ, **self.environment, **environment})
+
+    def succeed(self, *words):
+        """Runs a call that must do its work without a word on stderr; returns its stdout."""
+        result = self.run_program(*words)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), words)
+        return result.stdout
+
+    def refuse(self, code, *words, **environment):
+        """Runs a call that must fail with one line on stderr, warnings apart, and leave no file; returns the line."""
+        before = sorted(self.tmp.rglob("*"))
+        result = self.run_program(*words, **environment)
+        self.assertEqual(result.returncode, code, (words, result.stderr))
+        *warnings, line = result.stderr.splitlines()
+        for warning in warnings:
+            self.assertRegex(warning, r"\Ametamarch: warning: .")
+        self.assertRegex(line, r"\Ametamarch: (?!warning).")
+        self.assertEqual(sorted(self.tmp.rglob("*")), before, words)
+        return line.removeprefix("metamarch: ")
+
+    def read_picture(self, name):
+        """{channel: rows of values, the top one first}, as OpenImageIO's own tool reads them."""
+        def oiiotool(*words):
+            return subprocess.run(["oiiotool", *words], cwd=self.tmp, capture_output=True, text=True, check=True).stdout
+
+        channels = re.search(r"channel list: (.*)", oiiotool("--info", "-v", name))[1].split(", ")
+        pixels = re.findall(r"Pixel \((\d+), (\d+)\): (.*)", oiiotool("--dumpdata", name))
+        width = 1 + max(int(x) for x, _, _ in pixels)
+        height = 1 + max(int(y) for _, y, _ in pixels)
+        picture = {channel: [[math.nan] * width for _ in range(height)] for channel in channels}
+        for x, y, values in pixels:
+            for channel, value in zip(channels, values.split()):
+                picture[channel][int(y)][int(x)] = float(value)
+        return picture

@@ -1,0 +1,144 @@
+"""What `render` writes: channels, cameras, the same picture from both backends, statistics, memory."""
+import json
+import math
+import os
+import subprocess
+
+from program import SCENES, ProgramTest, main, metamarch, shared_scenes
+
+CORNELL = SCENES / "cornell.glb"
+CHANNELS = {"R", "G", "B", "A", "Z", "t", "N.X", "N.Y", "N.Z", "id.triangle", "steps", "tests"}
+MAX_RESIDENT = 3 << 30  # bytes, for the million triangles of MetalRoughSpheresNoTextures
+
+
+class RenderTest(ProgramTest):
+    def render(self, scene, *words, name="a.exr"):
+        return self.succeed("render", scene, "-o", name, *words)
+
+    def picture(self, scene, *words):
+        self.render(scene, *words)
+        return self.read_picture("a.exr")
+
+    def test_channels(self):
+        picture = self.picture(CORNELL, "--size", "16x12")
+        self.assertEqual(set(picture), CHANNELS)
+        self.assertEqual([len(row) for row in picture["Z"]], [16] * 12)
+        pixels = list(zip(*(sum(picture[channel], []) for channel in ("A", "id.triangle", "Z", "t"))))
+        hits = [pixel for pixel in pixels if pixel[0] == 1]
+        misses = [pixel for pixel in pixels if pixel[0] != 1]
+        self.assertTrue(hits and misses)
+        for _, triangle, z, t in hits:
+            self.assertIn(triangle, range(32))
+            self.assertTrue(0 < z <= t < math.inf)
+        self.assertEqual(set(misses), {(0, -1, math.inf, math.inf)})
+
+    def test_the_picture_is_upright_and_not_mirrored(self):
+        picture = self.picture(CORNELL, "--size", "40x30")
+        red, green, up = picture["R"], picture["G"], picture["N.Y"]
+        row = [(red[15][x], green[15][x]) for x in range(40) if picture["A"][15][x] == 1]
+        self.assertGreater(row[0][0], 3 * row[0][1])  # the left wall is red
+        self.assertGreater(row[-1][1], 2 * row[-1][0])  # the right one green
+        column = [up[y][20] for y in range(30) if picture["A"][y][20] == 1]
+        self.assertEqual((column[0], column[-1]), (-1, 1))  # ceiling above floor
+
+    def test_rays_go_through_pixel_centres(self):
+        """With a vertical field of view of 90 degrees, pixel (x, y) of 8x6 looks along ((x - 3.5) / 3, (2.5 - y) / 3, -1)."""
+        picture = self.picture(CORNELL, "--size", "8x6", "--eye", "0,0.27,0.2", "--target", "0,0.27,-1", "--vfov", "90")
+        for y in range(6):
+            for x in range(8):
+                ray = math.hypot((x - 3.5) / 3, (2.5 - y) / 3, 1)
+                self.assertAlmostEqual(picture["t"][y][x] / picture["Z"][y][x], ray, places=5)
+        self.assertAlmostEqual(picture["Z"][0][3], min(0.4796, 0.2788 * 3 / 2.5), places=5)  # the ceiling
+
+    def test_up(self):
+        view = ("--size", "9x9", "--eye", "0,0.27,1.5", "--target", "0,0.27,0")
+        upright = self.picture(CORNELL, *view)
+        turned = self.picture(CORNELL, *view, "--up", "1,0,0")  # what was on the right is on top
+        self.assertGreater(upright["G"][4][6], 2 * upright["R"][4][6])
+        self.assertGreater(turned["G"][2][4], 2 * turned["R"][2][4])
+
+    def test_cameras_by_name_and_index(self):
+        for name, words in {"default": (), "name": ("--camera", "front"), "index": ("--camera", "0")}.items():
+            self.render(CORNELL, "--size", "16x12", *words, name=f"{name}.exr")
+        self.succeed("compare", "default.exr", "name.exr")
+        self.succeed("compare", "default.exr", "index.exr")
+
+    def test_a_scene_without_a_camera_is_framed(self):
+        folder = shared_scenes()
+        if not folder:
+            return
+        alpha = self.picture(folder / "gltf" / "Box.glb", "--size", "24x16")["A"]
+        border = [*alpha[0], *alpha[-1], *(row[0] for row in alpha), *(row[-1] for row in alpha)]
+        self.assertEqual(set(border), {0})
+        self.assertGreater(sum(map(sum, alpha)), 24 * 16 / 5)
+
+    def test_orthographic_camera(self):
+        """A picture two units high of the unit square, turned back by 45 degrees about its lower side."""
+        folder = shared_scenes()
+        if not folder:
+            return
+        picture = self.picture(folder / "gltf" / "Cameras" / "Cameras.gltf", "--camera", "1", "--size", "48x36")
+        hits = [(x, y) for y in range(36) for x in range(48) if picture["A"][y][x] == 1]
+        top = 27 - 18 * math.sqrt(0.5)
+        self.assertEqual(hits, [(x, y) for y in range(math.ceil(top - 0.5), 27) for x in range(15, 33)])
+        self.assertEqual(picture["t"], picture["Z"])  # parallel rays
+
+    def test_both_backends_draw_the_same_picture(self):
+        for scene in ("cornell", "objects", "degenerate"):
+            with self.subTest(scene=scene):
+                self.render(SCENES / f"{scene}.glb", "--size", "161x119", name="gpu.exr")
+                self.render(SCENES / f"{scene}.glb", "--size", "161x119", "--backend", "cpu", name="cpu.exr")
+                self.succeed("compare", "gpu.exr", "cpu.exr", "--max-abs", "0")
+
+    def test_stats(self):
+        self.render(CORNELL, "--size", "16x12", "--stats", "s.json")
+        stats = json.loads((self.tmp / "s.json").read_text())
+        self.assertEqual((stats["size"], stats["rays"], stats["scene"]["triangles"]), ([16, 12], 192, 32))
+        self.assertTrue(0 < stats["hits"] < 192)
+        for key in ("device", "driver", "traversal", "stepsPerRay", "testsPerRay", "mraysPerSecond"):
+            self.assertTrue(stats[key], key)
+        self.assertGreater(stats["seconds"]["render"], 0)
+
+    def test_png(self):
+        self.render(CORNELL, "--size", "40x30", name="a.png")
+        self.assertEqual((self.tmp / "a.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        picture = self.read_picture("a.png")
+        self.assertEqual((set(picture), len(picture["R"])), ({"R", "G", "B", "A"}, 30))
+
+    def test_quiet(self):
+        self.assertEqual(self.render(CORNELL, "--size", "8x6", "--quiet"), "")
+        self.assertRegex(self.render(CORNELL, "--size", "8x6"), r"\Aa.exr: 8 x 6, 32 triangles, .* tests per ray\n\Z")
+
+    def test_only_the_named_files_are_left(self):
+        self.render(CORNELL, "--size", "8x6", "--stats", "s.json")
+        self.assertEqual(sorted(path.name for path in self.tmp.iterdir()), ["a.exr", "s.json"])
+
+    def test_a_failure_leaves_the_old_picture(self):
+        (self.tmp / "a.exr").write_text("old")
+        self.refuse(3, "render", "missing.glb", "-o", "a.exr", "--stats", "s.json")
+        self.assertEqual((self.tmp / "a.exr").read_text(), "old")
+
+    def test_a_folder_without_write_permission(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write everywhere")
+        (self.tmp / "locked").mkdir(mode=0o555)
+        self.assertRegex(self.refuse(5, "render", CORNELL, "-o", "locked/a.exr"), r"cannot write locked/a.exr: .*denied")
+
+    def test_memory_of_a_million_triangles(self):
+        folder = shared_scenes()
+        if not folder:
+            return
+        scene = folder / "gltf" / "MetalRoughSpheresNoTextures.glb"
+        words = [metamarch(), "render", scene, "-o", self.tmp / "a.exr", "--size", "640x480", "--quiet"]
+        # The program's own memory: without the validation layers, and without the freed blocks AddressSanitizer keeps.
+        own = {"METAMARCH_VALIDATION": "0", "ASAN_OPTIONS": f"{os.environ.get('ASAN_OPTIONS', '')}:quarantine_size_mb=1"}
+        process = subprocess.Popen(words, env={**os.environ, **self.environment, **own})
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        print(f"{scene.name}: {usage.ru_maxrss / 1024:.0f} MiB resident")
+        self.assertLess(usage.ru_maxrss * 1024, MAX_RESIDENT)
+
+
+if __name__ == "__main__":
+    main()
