@@ -9,6 +9,7 @@ namespace metamarch {
 struct Shader {
     std::string_view kernel;
     std::string_view traversal;
+    std::string_view structure; // that the traversal walks
     std::span<const std::uint32_t> spirv;
 };
 

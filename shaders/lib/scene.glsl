@@ -1,4 +1,5 @@
-// The scene's buffers: the only file that knows how memory is reached.
+// What every traversal reads of the scene: lattice, materials and triangle records. The structures that only
+// some of them walk are in the other files of this folder; nothing outside it knows how memory is reached.
 #ifndef METAMARCH_LIB_SCENE_GLSL
 #define METAMARCH_LIB_SCENE_GLSL
 #include "shared/scene_layout.h"
@@ -8,8 +9,6 @@ layout(constant_id = kSpecTriangleChunks) const uint triangleChunks = 1u;
 layout(constant_id = kSpecTrianglesPerChunk) const uint trianglesPerChunk = 0xffffffffu;
 
 layout(std140, binding = kBindLattice) uniform LatticeBuffer { Lattice lattice; };
-layout(std430, binding = kBindLeaves) readonly buffer LeafBuffer { uvec4 leafWords[]; };
-layout(std430, binding = kBindTable) readonly buffer TableBuffer { uint leafOfCell[]; };
 layout(std430, binding = kBindMaterialOfTriangle) readonly buffer MaterialOfTriangleBuffer {
     uint materialOfTriangle[];
 };
@@ -36,12 +35,6 @@ layout(std430, binding = kBindTriangles + 6u) readonly buffer TriangleBuffer6 {
 layout(std430, binding = kBindTriangles + 7u) readonly buffer TriangleBuffer7 {
     TriangleRecord triangles7[];
 };
-
-// One load of four words: lavapipe pays for each load, not for its size.
-Leaf loadLeaf(const uint leafId) {
-    const uvec4 words = leafWords[leafId];
-    return Leaf(words.x, words.y, words.z, words.w);
-}
 
 // The chunk is chosen by a branch: indexing an array of buffers by a value that differs between invocations
 // needs a feature that lavapipe 22.3 lacks.
@@ -75,7 +68,7 @@ TriangleRecord loadTriangle(const uint slot) {
 struct Trace {
     Hit hit;
     uint slot;  // the hit triangle's record
-    uint steps; // look-ups of the march, or nodes visited
+    uint steps; // look-ups of the march, cells, or inner nodes and leaves visited
     uint tests; // triangle tests
 };
 
@@ -94,4 +87,12 @@ void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
         }
     }
 }
+
+void testTriangles(const Ray ray, const uint first, const uint count, inout Trace trace) {
+    for (uint i = 0u; i < count; ++i) {
+        testTriangle(ray, first + i, trace);
+    }
+}
+
+bool isDone(const Trace trace, const bool anyHit) { return anyHit && trace.hit.triangleId != kNoTriangle; }
 #endif

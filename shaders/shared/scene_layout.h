@@ -9,7 +9,7 @@ SHARED_BEGIN
 const uint kNoTriangle = 0xffffffffu;
 const uint kMaxLatticeResolution = 1023u; // per axis: a packed corner holds 10 bits per axis, hi exclusive
 
-// Binding numbers of the buffers that every kernel over a scene shares (set 0).
+// Binding numbers of the buffers over a scene (set 0). A kernel has those that its traversal declares.
 const uint kBindLattice = 0u; // uniform
 const uint kBindLeaves = 1u;
 const uint kBindTable = 2u;
@@ -19,6 +19,12 @@ const uint kBindCamera = 5u;    // uniform, of kernels that have one
 const uint kBindInput = 6u;     // what a kernel reads besides the scene
 const uint kBindOutput = 7u;    // what it writes
 const uint kBindTriangles = 8u; // the first of kTriangleChunks bindings
+const uint kBindKdNodes = 16u;
+const uint kBindKdParents = 17u;
+const uint kBindKdRopes = 18u;
+const uint kBindBvhNodes = 19u;
+const uint kBindGrid = 20u; // uniform
+const uint kBindGridCells = 21u;
 
 // The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it
 // is cut into up to this many buffers of equal size.

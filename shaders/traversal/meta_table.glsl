@@ -5,16 +5,15 @@
 // Table"; integer stepping after Pérard-Gayot, Kalojanov, Slusallek, "GPU Ray Tracing using Irregular Grids",
 // 2017.
 //
-// Why it ends:    leaveBox moves the cell on by at least one in one axis and never back in the others, and
-// the loop
-//                 ends outside the lattice: at most the sum of the three resolutions in steps, whatever the
-//                 floats.
-// What it costs:  per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory
-// per
-//                 ray.
-// Ties:           of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Why it ends: leaveBox moves the cell on by at least one in one axis and never back in the others, and the
+// loop ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats.
+//
+// What it costs: per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory
+// per ray.
+//
+// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
 
-#include "lib/scene.glsl"
+#include "lib/meta_table.glsl"
 #include "shared/march.h"
 
 // The closest hit, or any hit when anyHit (folded at compile time).
@@ -29,10 +28,8 @@ Trace traverse(const Ray ray, const bool anyHit) {
     while (true) {
         ++trace.steps;
         const Leaf leaf = loadLeaf(leafOfCell[cellIndex(cell, lattice.resolution)]);
-        for (uint i = 0u; i < leaf.triangleCount; ++i) {
-            testTriangle(ray, leaf.firstTriangle + i, trace);
-        }
-        if (anyHit && trace.hit.triangleId != kNoTriangle) {
+        testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        if (isDone(trace, anyHit)) {
             return trace;
         }
         const BoxExit next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), cell);

@@ -55,14 +55,9 @@ TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, con
         }
 
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
-        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            testTriangle(scene.triangles, ray, leaf.firstTriangle + i, trace);
-            if (isDone(trace, query)) {
-                return trace;
-            }
-        }
+        testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
-        if (trace.hit.t <= tFar || stackSize == 0) {
+        if (isDone(trace, query) || trace.hit.t <= tFar || stackSize == 0) {
             return trace;
         }
         --stackSize;

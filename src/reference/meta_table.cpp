@@ -1,16 +1,9 @@
+#include "reference/require.h"
 #include "reference/triangle_records.h"
 #include "shared/march.h"
 
-#include <stdexcept>
-
 namespace metamarch {
 namespace {
-
-void require(const bool holds, const char* invariant) {
-    if (!holds) {
-        throw std::logic_error(invariant);
-    }
-}
 
 // One axis moved on, in the ray's direction, and no axis moved back.
 bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
@@ -41,9 +34,7 @@ TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, c
         require(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
         const Leaf& leaf = scene.tree.leaves[scene.leafOfCell[cellIndex(cell, resolution)]];
-        for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            testTriangle(scene.triangles, ray, leaf.firstTriangle + i, trace);
-        }
+        testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query)) {
             return trace;
         }

@@ -16,6 +16,13 @@ inline void testTriangle(const std::span<const TriangleRecord> triangles, const 
     }
 }
 
+inline void testTriangles(const std::span<const TriangleRecord> triangles, const Ray& ray,
+                          const std::uint32_t first, const std::uint32_t count, TraceResult& trace) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        testTriangle(triangles, ray, first + i, trace);
+    }
+}
+
 inline TraceResult startTrace(const Ray& ray) { return {{ray.tMax, kNoTriangle}}; }
 
 inline bool isDone(const TraceResult& trace, const HitQuery query) {

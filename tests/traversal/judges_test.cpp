@@ -1,6 +1,7 @@
-// The CPU judges against each other on scenes made in memory: brute force judges the kd-tree and the march.
+// The CPU twin of every traversal on scenes made in memory: brute force judges them all.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
+#include "reference/twins.h"
 #include "traversal/judges.h"
 
 #include <gtest/gtest.h>
@@ -92,29 +93,24 @@ class Judges : public testing::TestWithParam<NamedScene> {};
 TEST_P(Judges, agreeOnTrickyRays) {
     const Scene scene = GetParam().make();
     const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);
-    if (scene.triangles.empty()) {
-        const RayQuery ray{{0, 0, 0}, 0, {1, 0, 0}, kFarthest};
-        const auto march = traceAll(structure.lattice, std::span(&ray, 1), [&](const Ray& r) {
-            return traceMetaTable(structure, r, HitQuery::closest);
-        });
-        EXPECT_EQ(march.front().triangleId, kNoTriangle);
-        return;
+    const StructureSet structures(structure);
+    std::vector<RayQuery> rays = {{{0, 0, 0}, 0, {1, 0, 0}, kFarthest}};
+    if (!scene.triangles.empty()) {
+        rays = trickyRays(scene, structure, 50000, 7);
     }
     const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
-    const std::vector<RayQuery> rays = trickyRays(scene, structure, 50000, 7);
     for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
         const auto brute = traceAll(structure.lattice, rays,
-                                    [&](const Ray& r) { return traceBruteForce(triangles, r, query); });
-        const auto stack = traceAll(structure.lattice, rays,
-                                    [&](const Ray& r) { return traceKdStack(structure, r, query); });
-        const auto march = traceAll(structure.lattice, rays,
-                                    [&](const Ray& r) { return traceMetaTable(structure, r, query); });
-        if (query == HitQuery::closest) {
-            expectSameHits(rays, stack, brute, Counters::ignored);
-            expectSameHits(rays, march, brute, Counters::ignored);
-        } else {
-            expectSameOcclusion(rays, stack, brute);
-            expectSameOcclusion(rays, march, brute);
+                                    [&](const Ray& ray) { return traceBruteForce(triangles, ray, query); });
+        for (const Twin& twin : twins()) {
+            SCOPED_TRACE(twin.traversal);
+            const auto results = traceAll(structure.lattice, rays,
+                                          [&](const Ray& ray) { return twin.trace(structures, ray, query); });
+            if (query == HitQuery::closest) {
+                expectSameHits(rays, results, brute, Counters::ignored);
+            } else {
+                expectSameOcclusion(rays, results, brute);
+            }
         }
     }
 }

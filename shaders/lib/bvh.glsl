@@ -1,0 +1,17 @@
+// The bounding volume hierarchy.
+#ifndef METAMARCH_LIB_BVH_GLSL
+#define METAMARCH_LIB_BVH_GLSL
+#include "lib/scene.glsl"
+#include "shared/bvh_node.h"
+
+layout(std430, binding = kBindBvhNodes) readonly buffer BvhNodeBuffer { uvec4 bvhNodeWords[]; };
+
+BvhNode loadBvhNode(const uint nodeId) {
+    const uvec4 a = bvhNodeWords[4u * nodeId];
+    const uvec4 b = bvhNodeWords[4u * nodeId + 1u];
+    const uvec4 c = bvhNodeWords[4u * nodeId + 2u];
+    const uvec4 d = bvhNodeWords[4u * nodeId + 3u];
+    return BvhNode(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), c.w,
+                   uintBitsToFloat(d.xyz), d.w);
+}
+#endif

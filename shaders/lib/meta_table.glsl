@@ -1,0 +1,7 @@
+// The meta table and its leaves.
+#ifndef METAMARCH_LIB_META_TABLE_GLSL
+#define METAMARCH_LIB_META_TABLE_GLSL
+#include "lib/leaves.glsl"
+
+layout(std430, binding = kBindTable) readonly buffer TableBuffer { uint leafOfCell[]; };
+#endif

@@ -1,0 +1,50 @@
+// One inner node of the bounding volume hierarchy: the boxes of its two children, in lattice space.
+#ifndef METAMARCH_SHARED_BVH_NODE_H
+#define METAMARCH_SHARED_BVH_NODE_H
+#include "shared/ray.h"
+
+SHARED_BEGIN
+
+// Longest path from the root to a leaf, in edges. The builder keeps it, so a stack of this size cannot
+// overflow.
+const uint kMaxBvhDepth = 48u;
+
+// A child is an inner node's id, or a leaf: kBvhLeaf | triangle count << 27 | first triangle.
+const uint kBvhLeaf = 0x80000000u;
+const uint kMaxBvhLeafTriangles = 15u;
+const uint kMaxBvhTriangles = 0x08000000u;
+
+struct BvhNode {
+    vec3 lo0;
+    uint child0;
+    vec3 hi0;
+    uint child1;
+    vec3 lo1;
+    uint padding0;
+    vec3 hi1;
+    uint padding1;
+};
+
+SHARED_FN bool isBvhLeaf(const uint child) { return (child & kBvhLeaf) != 0u; }
+SHARED_FN uint bvhTriangleCount(const uint child) { return (child >> 27u) & 15u; }
+SHARED_FN uint bvhFirstTriangle(const uint child) { return child & 0x07ffffffu; }
+
+// Where the ray is in the box, as (near, far): it misses where near > far. The boxes are grown by far more
+// than the roundings here.
+SHARED_FN vec2 crossBox(const Ray ray, const vec3 lo, const vec3 hi, const float tMax) {
+    SHARED_PRECISE const vec3 t0 = (lo - ray.start) * ray.invStride;
+    SHARED_PRECISE const vec3 t1 = (hi - ray.start) * ray.invStride;
+    return vec2(max(largest(min(t0, t1)), 0.0f), min(smallest(max(t0, t1)), tMax));
+}
+
+SHARED_ASSERT_SIZE(BvhNode, 64)
+SHARED_ASSERT_OFFSET(BvhNode, child0, 12)
+SHARED_ASSERT_OFFSET(BvhNode, hi0, 16)
+SHARED_ASSERT_OFFSET(BvhNode, child1, 28)
+SHARED_ASSERT_OFFSET(BvhNode, lo1, 32)
+SHARED_ASSERT_OFFSET(BvhNode, padding0, 44)
+SHARED_ASSERT_OFFSET(BvhNode, hi1, 48)
+SHARED_ASSERT_OFFSET(BvhNode, padding1, 60)
+
+SHARED_END
+#endif

@@ -1,0 +1,60 @@
+// Walks the kd-tree without a stack: after each leaf it climbs to the first ancestor that the ray is still
+// in.
+//
+// T. Foley, J. Sugerman, "KD-Tree Acceleration Structures for a GPU Raytracer", Graphics Hardware 2005. Each
+// node knows its parent and its box, from whose planes the ray's way out comes with the very bits of tSplit.
+//
+// Why it ends: the climb ends at a box that the ray leaves later than tNear, or past the root; the descent
+// ends in a leaf at tFar > tNear, because a plane at tSplit <= tNear sends it to the far child. So tNear
+// grows from leaf to leaf through the finitely many distances of the tree's planes.
+//
+// What it costs: an 8-byte node for each inner node and leaf on the way down, a 16-byte parent record for
+// each on the way up, a 16-byte leaf and its triangles for each leaf. No memory per ray. Steps count both
+// ways.
+//
+// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+
+#include "lib/kd_parents.glsl"
+
+// The closest hit, or any hit when anyHit (folded at compile time).
+Trace traverse(const Ray ray, const bool anyHit) {
+    Trace trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    uint nodeId = 0u;
+    float tNear = ray.tNear;
+    float tFar = ray.tFar;
+
+    // Holds here: every triangle that the ray meets before tNear has been tested; the ray is in the box of
+    // nodeId from tNear to tFar.
+    while (true) {
+        ++trace.steps;
+        KdNode node = loadKdNode(nodeId);
+        while (!isLeaf(node)) {
+            const KdFork fork = forkAt(ray, nodeId, node, tNear, tFar);
+            tFar = fork.meetsNear && fork.meetsFar ? fork.tSplit : tFar;
+            nodeId = fork.meetsNear ? fork.nearChild : fork.farChild;
+            ++trace.steps;
+            node = loadKdNode(nodeId);
+        }
+
+        const Leaf leaf = loadLeaf(leafOf(node));
+        testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
+            return trace;
+        }
+        tNear = tFar;
+        KdParent record = loadKdParent(nodeId);
+        do {
+            if (nodeId == 0u) {
+                return trace;
+            }
+            nodeId = record.parent;
+            ++trace.steps;
+            record = loadKdParent(nodeId);
+        } while (exitOf(ray, record) <= tNear);
+        tFar = min(exitOf(ray, record), ray.tFar);
+    }
+}

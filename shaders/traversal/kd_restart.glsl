@@ -1,0 +1,45 @@
+// Walks the kd-tree without a stack: after each leaf it starts again at the root, further along the ray.
+//
+// T. Foley, J. Sugerman, "KD-Tree Acceleration Structures for a GPU Raytracer", Graphics Hardware 2005.
+//
+// Why it ends: a descent ends in a leaf at tFar > tNear, because a plane at tSplit <= tNear sends it to the
+// far child; so tNear grows from leaf to leaf, through the finitely many distances of the tree's planes.
+//
+// What it costs: the whole path from the root for every leaf, 8 bytes a node; a 16-byte leaf and its
+// triangles for each leaf. No memory per ray.
+//
+// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+
+#include "lib/kd_tree.glsl"
+
+// The closest hit, or any hit when anyHit (folded at compile time).
+Trace traverse(const Ray ray, const bool anyHit) {
+    Trace trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    float tNear = ray.tNear;
+
+    // Holds here: every triangle that the ray meets before tNear has been tested.
+    while (true) {
+        uint nodeId = 0u;
+        float tFar = ray.tFar;
+        ++trace.steps;
+        KdNode node = loadKdNode(nodeId);
+        while (!isLeaf(node)) {
+            const KdFork fork = forkAt(ray, nodeId, node, tNear, tFar);
+            tFar = fork.meetsNear && fork.meetsFar ? fork.tSplit : tFar;
+            nodeId = fork.meetsNear ? fork.nearChild : fork.farChild;
+            ++trace.steps;
+            node = loadKdNode(nodeId);
+        }
+
+        const Leaf leaf = loadLeaf(leafOf(node));
+        testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
+            return trace;
+        }
+        tNear = tFar;
+    }
+}

@@ -1,0 +1,19 @@
+// Links over a finished kd-tree, for traversals that climb it or follow ropes.
+#pragma once
+#include "accel/kd_tree.h"
+#include "shared/kd_parent.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace metamarch {
+
+// [nodeId] -> box and parent.
+std::vector<KdParent> linkParents(const Lattice& lattice, const KdTree& tree);
+
+// [ropeIndex(leafId, axis, above)] -> the smallest node that holds everything behind that face of the leaf,
+// or kNoRope at the faces of the lattice. S. Popov, J. Guenther, H.-P. Seidel, P. Slusallek, "Stackless
+// KD-Tree Traversal for High Performance GPU Ray Tracing", Eurographics 2007, section 4.
+std::vector<std::uint32_t> tieRopes(const KdTree& tree);
+
+} // namespace metamarch

@@ -1,0 +1,52 @@
+#include "accel/structure_set.h"
+
+#include "accel/kd_links.h"
+
+#include <algorithm>
+
+namespace metamarch {
+namespace {
+
+// Every solid triangle lies in some leaf.
+std::vector<TriangleRecord> uniqueTriangles(std::vector<TriangleRecord> triangles) {
+    std::ranges::sort(triangles, {}, &TriangleRecord::triangleId);
+    const auto repeated = std::ranges::unique(triangles, {}, &TriangleRecord::triangleId);
+    triangles.erase(repeated.begin(), repeated.end());
+    return triangles;
+}
+
+} // namespace
+
+const std::vector<KdParent>& StructureSet::kdParents() const {
+    tbb::collaborative_call_once(lazyParents.once, [&] {
+        lazyParents.value = linkParents(accelerationStructure.lattice, accelerationStructure.tree);
+    });
+    return lazyParents.value;
+}
+
+const std::vector<std::uint32_t>& StructureSet::kdRopes() const {
+    tbb::collaborative_call_once(lazyRopes.once,
+                                 [&] { lazyRopes.value = tieRopes(accelerationStructure.tree); });
+    return lazyRopes.value;
+}
+
+const Bvh& StructureSet::bvh() const {
+    tbb::collaborative_call_once(
+        lazyBvh.once, [&] { lazyBvh.value = buildBvh(accelerationStructure.lattice, triangles()); });
+    return lazyBvh.value;
+}
+
+const UniformGrid& StructureSet::uniformGrid() const {
+    tbb::collaborative_call_once(lazyGrid.once, [&] {
+        lazyGrid.value = buildUniformGrid(accelerationStructure.lattice, triangles());
+    });
+    return lazyGrid.value;
+}
+
+const std::vector<TriangleRecord>& StructureSet::triangles() const {
+    tbb::collaborative_call_once(
+        lazyTriangles.once, [&] { lazyTriangles.value = uniqueTriangles(accelerationStructure.triangles); });
+    return lazyTriangles.value;
+}
+
+} // namespace metamarch

@@ -1,0 +1,42 @@
+// Every structure that some traversal walks, over one scene; each is built when first asked for.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "accel/bvh.h"
+#include "accel/uniform_grid.h"
+#include "shared/kd_parent.h"
+
+#include <tbb/collaborative_call_once.h>
+
+#include <vector>
+
+namespace metamarch {
+
+// Any thread may ask at any time. References are good for the life of the set.
+class StructureSet {
+  public:
+    // `kdTree` must outlive the set.
+    explicit StructureSet(const AccelerationStructure& kdTree) : accelerationStructure(kdTree) {}
+
+    const AccelerationStructure& kdTree() const { return accelerationStructure; }
+    const std::vector<KdParent>& kdParents() const;
+    const std::vector<std::uint32_t>& kdRopes() const;
+    const Bvh& bvh() const;
+    const UniformGrid& uniformGrid() const;
+    const std::vector<TriangleRecord>& triangles() const; // each once, ascending ids
+
+  private:
+    template <class T>
+    struct Lazy {
+        tbb::collaborative_once_flag once;
+        T value;
+    };
+
+    const AccelerationStructure& accelerationStructure;
+    mutable Lazy<std::vector<KdParent>> lazyParents;
+    mutable Lazy<std::vector<std::uint32_t>> lazyRopes;
+    mutable Lazy<Bvh> lazyBvh;
+    mutable Lazy<UniformGrid> lazyGrid;
+    mutable Lazy<std::vector<TriangleRecord>> lazyTriangles;
+};
+
+} // namespace metamarch

@@ -1,0 +1,59 @@
+#include "reference/require.h"
+#include "reference/triangle_records.h"
+#include "reference/twins.h"
+
+#include <algorithm>
+#include <array>
+
+namespace metamarch {
+namespace {
+
+struct Pending {
+    std::uint32_t child;
+    float tNear;
+};
+
+} // namespace
+
+TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    std::array<Pending, kMaxBvhDepth> stack;
+    std::size_t stackSize = 0;
+    std::uint32_t child = 0;
+    while (true) {
+        bool missed = false;
+        while (!missed && !isBvhLeaf(child)) {
+            ++trace.steps;
+            const BvhNode& node = bvh.nodes[child];
+            const vec2 t0 = crossBox(ray, node.lo0, node.hi0, trace.hit.t);
+            const vec2 t1 = crossBox(ray, node.lo1, node.hi1, trace.hit.t);
+            const bool meets0 = t0.x <= t0.y;
+            const bool meets1 = t1.x <= t1.y;
+            const bool firstIs0 = meets0 && (!meets1 || t0.x <= t1.x);
+            if (meets0 && meets1) {
+                require(stackSize < kMaxBvhDepth, "the BVH is deeper than the stack");
+                stack[stackSize++] = {firstIs0 ? node.child1 : node.child0, std::max(t0.x, t1.x)};
+            }
+            missed = !meets0 && !meets1;
+            child = firstIs0 ? node.child0 : node.child1;
+        }
+        if (!missed) {
+            ++trace.steps;
+            testTriangles(bvh.triangles, ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
+            if (isDone(trace, query)) {
+                return trace;
+            }
+        }
+        do {
+            if (stackSize == 0) {
+                return trace;
+            }
+            child = stack[--stackSize].child;
+        } while (stack[stackSize].tNear > trace.hit.t);
+    }
+}
+
+} // namespace metamarch

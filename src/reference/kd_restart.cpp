@@ -1,0 +1,38 @@
+#include "reference/require.h"
+#include "reference/triangle_records.h"
+#include "reference/twins.h"
+#include "shared/kd_walk.h"
+
+namespace metamarch {
+
+TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    float tNear = ray.tNear;
+    while (true) {
+        std::uint32_t nodeId = 0;
+        float tFar = ray.tFar;
+        ++trace.steps;
+        KdNode node = scene.tree.nodes[nodeId];
+        while (!isLeaf(node)) {
+            const KdFork fork = forkAt(ray, nodeId, node, tNear, tFar);
+            if (fork.meetsNear && fork.meetsFar) {
+                tFar = fork.tSplit;
+            }
+            nodeId = fork.meetsNear ? fork.nearChild : fork.farChild;
+            ++trace.steps;
+            node = scene.tree.nodes[nodeId];
+        }
+        require(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
+        const Leaf& leaf = scene.tree.leaves[leafOf(node)];
+        testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        if (isDone(trace, query) || trace.hit.t <= tFar || tFar >= ray.tFar) {
+            return trace;
+        }
+        tNear = tFar;
+    }
+}
+
+} // namespace metamarch

@@ -1,0 +1,30 @@
+#include "reference/require.h"
+#include "reference/triangle_records.h"
+#include "reference/twins.h"
+#include "shared/grid_walk.h"
+
+namespace metamarch {
+
+TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQuery query) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    const Ray gridRay = inGrid(grid.grid, ray);
+    const uvec3 resolution = grid.grid.resolution;
+    const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
+    ivec3 cell = cellAt(gridRay, ray.tNear, ivec3(0), ivec3(resolution));
+    while (true) {
+        require(trace.steps < mostSteps, "the walk did not end");
+        ++trace.steps;
+        const GridCell& content = grid.cells[cellIndex(cell, resolution)];
+        testTriangles(grid.triangles, ray, content.firstTriangle, content.triangleCount, trace);
+        const BoxExit next = leaveCell(gridRay, cell);
+        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
+            return trace;
+        }
+        cell = next.cell;
+    }
+}
+
+} // namespace metamarch

@@ -1,0 +1,201 @@
+// The structures that the rivals of the meta table walk: each holds every triangle wherever a ray may look.
+#include "accel/structure_set.h"
+#include "fixtures/shapes.h"
+#include "shared/kd_rope.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace metamarch::tests {
+namespace {
+
+// One place for all of them: no split tells them apart.
+Scene identicalTriangles(const int count) {
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        addTriangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f});
+    }
+    return scene;
+}
+
+// Sizes and places that double from triangle to triangle: splits cut off one at a time.
+Scene geometricSeries() {
+    Scene scene;
+    for (int i = 0; i < 2000; ++i) {
+        const float x = std::ldexp(1.0f, i % 60 - 30);
+        const float y = 1e-3f * static_cast<float>(i);
+        addTriangle(scene, {x, y, 0}, {2 * x, y, 0}, {x, y + x, x});
+    }
+    return scene;
+}
+
+struct NamedScene {
+    const char* name;
+    Scene (*make)();
+};
+
+const NamedScene kScenes[] = {
+    {"unit_cube", unitCube},
+    {"soup", [] { return triangleSoup(3000, 4); }},
+    {"identical", [] { return identicalTriangles(1000); }},
+    {"geometric_series", geometricSeries},
+    {"empty", [] { return Scene{}; }},
+};
+
+class Structures : public testing::TestWithParam<NamedScene> {
+  protected:
+    const Scene scene = GetParam().make();
+    const AccelerationStructure structure = buildAccelerationStructure(scene, {});
+    const StructureSet structures{structure};
+    const Lattice& lattice = structure.lattice;
+
+    std::array<glm::dvec3, 3> corners(const TriangleRecord& triangle) const {
+        return {toLattice(lattice, triangle.v0), toLattice(lattice, triangle.v1),
+                toLattice(lattice, triangle.v2)};
+    }
+};
+
+TEST_P(Structures, holdTheSolidTriangles) {
+    const std::vector<std::uint32_t> solid = solidTriangles(scene);
+    const auto ids = [](const std::vector<TriangleRecord>& records) {
+        std::vector<std::uint32_t> found;
+        for (const TriangleRecord& record : records) {
+            found.push_back(record.triangleId);
+        }
+        return found;
+    };
+    EXPECT_EQ(ids(structures.triangles()), solid);
+    std::vector<std::uint32_t> inBvh = ids(structures.bvh().triangles);
+    std::ranges::sort(inBvh);
+    EXPECT_EQ(inBvh, solid);
+}
+
+// Every child's box holds its triangles with the margin, and the tree is no deeper than the stack.
+TEST_P(Structures, bvhBoxesHoldTheirTriangles) {
+    const Bvh& bvh = structures.bvh();
+    const glm::dvec3 margin = referenceMargin(lattice);
+    EXPECT_LE(bvh.depth, kMaxBvhDepth);
+    std::size_t reached = 0;
+    const auto check = [&](const auto& self, const std::uint32_t child, const glm::dvec3 lo,
+                           const glm::dvec3 hi) -> void {
+        if (!isBvhLeaf(child)) {
+            const BvhNode& node = bvh.nodes[child];
+            self(self, node.child0, glm::max(lo, glm::dvec3(node.lo0)), glm::min(hi, glm::dvec3(node.hi0)));
+            self(self, node.child1, glm::max(lo, glm::dvec3(node.lo1)), glm::min(hi, glm::dvec3(node.hi1)));
+            return;
+        }
+        for (std::uint32_t i = 0; i < bvhTriangleCount(child); ++i) {
+            ++reached;
+            for (const glm::dvec3 corner : corners(bvh.triangles[bvhFirstTriangle(child) + i])) {
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(lo, corner - margin)));
+                EXPECT_TRUE(glm::all(glm::greaterThanEqual(hi, corner + margin)));
+            }
+        }
+    };
+    check(check, 0, glm::dvec3(-1e30), glm::dvec3(1e30));
+    EXPECT_EQ(reached, bvh.triangles.size());
+}
+
+TEST_P(Structures, bvhDoesNotDependOnThreads) {
+    const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+    const Bvh serial = buildBvh(lattice, structures.triangles());
+    const Bvh& parallel = structures.bvh();
+    ASSERT_EQ(serial.nodes.size(), parallel.nodes.size());
+    EXPECT_EQ(std::memcmp(serial.nodes.data(), parallel.nodes.data(), serial.nodes.size() * sizeof(BvhNode)),
+              0);
+}
+
+// A cell lists the triangles that come within the margin of it, and no others.
+TEST_P(Structures, gridCellsListTheirTriangles) {
+    const UniformGrid& grid = structures.uniformGrid();
+    const uvec3 resolution = grid.grid.resolution;
+    const glm::dvec3 scale(grid.grid.scale);
+    ASSERT_EQ(grid.cells.size(), grid.grid.cellCount);
+    std::vector<std::set<std::uint32_t>> expected(grid.cells.size());
+    for (const TriangleRecord& triangle : structures.triangles()) {
+        LatticeTriangle inGrid = corners(triangle);
+        for (glm::dvec3& corner : inGrid) {
+            corner *= scale;
+        }
+        const CellCorner last = {static_cast<std::uint16_t>(resolution.x - 1),
+                                 static_cast<std::uint16_t>(resolution.y - 1),
+                                 static_cast<std::uint16_t>(resolution.z - 1)};
+        const glm::dvec3 margin = referenceMargin(lattice) * scale;
+        const auto range = touchedCells(inGrid, {{0, 0, 0}, last}, margin);
+        ASSERT_TRUE(range);
+        for (std::uint16_t z = range->lo[2]; z <= range->hi[2]; ++z) {
+            for (std::uint16_t y = range->lo[1]; y <= range->hi[1]; ++y) {
+                for (std::uint16_t x = range->lo[0]; x <= range->hi[0]; ++x) {
+                    if (touchedCells(inGrid, {{x, y, z}, {x, y, z}}, margin)) {
+                        expected[cellIndex(ivec3(x, y, z), resolution)].insert(triangle.triangleId);
+                    }
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+        std::set<std::uint32_t> listed;
+        for (std::uint32_t k = 0; k < grid.cells[i].triangleCount; ++k) {
+            listed.insert(grid.triangles[grid.cells[i].firstTriangle + k].triangleId);
+        }
+        EXPECT_EQ(listed.size(), grid.cells[i].triangleCount) << "a triangle twice in cell " << i;
+        EXPECT_EQ(listed, expected[i]) << "cell " << i;
+    }
+}
+
+// From every cell at a leaf's face, one step out: the rope's node holds the leaf that the table names.
+TEST_P(Structures, ropesLeadToTheNeighbours) {
+    const KdTree& tree = structure.tree;
+    const std::vector<std::uint32_t>& ropes = structures.kdRopes();
+    for (std::uint32_t leafId = 0; leafId < tree.leaves.size(); ++leafId) {
+        const ivec3 lo = unpackCell(tree.leaves[leafId].lo);
+        const ivec3 hi = unpackCell(tree.leaves[leafId].hi);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int outside : {lo[axis] - 1, hi[axis]}) {
+                for (const ivec3& corner : {lo, hi - 1}) {
+                    ivec3 cell = corner;
+                    cell[axis] = outside;
+                    std::uint32_t nodeId = ropes[ropeTowards(leafId, cell, lo, hi)];
+                    ASSERT_EQ(nodeId != kNoRope, isInLattice(cell, lattice.resolution));
+                    if (nodeId == kNoRope) {
+                        continue;
+                    }
+                    while (!isLeaf(tree.nodes[nodeId])) {
+                        nodeId = childWithCell(nodeId, tree.nodes[nodeId], cell);
+                    }
+                    ASSERT_EQ(leafOf(tree.nodes[nodeId]),
+                              structure.leafOfCell[cellIndex(cell, lattice.resolution)]);
+                }
+            }
+        }
+    }
+}
+
+TEST_P(Structures, parentsHoldTheirChildren) {
+    const KdTree& tree = structure.tree;
+    const std::vector<KdParent>& parents = structures.kdParents();
+    ASSERT_EQ(parents.size(), tree.nodes.size());
+    EXPECT_EQ(parents[0].parent, 0u);
+    for (std::uint32_t nodeId = 0; nodeId < tree.nodes.size(); ++nodeId) {
+        const KdNode& node = tree.nodes[nodeId];
+        if (isLeaf(node)) {
+            EXPECT_EQ(parents[nodeId].lo, tree.leaves[leafOf(node)].lo);
+            EXPECT_EQ(parents[nodeId].hi, tree.leaves[leafOf(node)].hi);
+        } else {
+            EXPECT_EQ(parents[nodeId + 1].parent, nodeId);
+            EXPECT_EQ(parents[childAbove(node)].parent, nodeId);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Structures, testing::ValuesIn(kScenes),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+} // namespace
+} // namespace metamarch::tests
