@@ -69,9 +69,8 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
     const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
     const glm::vec3 center = 0.5f * lo + 0.5f * hi;
     const glm::vec3 size = hi - lo;
-    const float longest = std::max({size.x, size.y, size.z, 1e-30f});
-    const glm::vec3 direction = glm::normalize(kFramingDirection);
-    SceneCamera camera = lookAt(center + direction * longest, center, {0.0f, 1.0f, 0.0f});
+    // The direction is found at the world's origin: a small box far away would round it.
+    SceneCamera camera = lookAt(kFramingDirection, glm::vec3(0.0f), {0.0f, 1.0f, 0.0f});
     camera.name = "framed";
     camera.verticalFov = verticalFov;
 
@@ -88,7 +87,7 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
                              nearer + std::abs(glm::dot(corner, right)) / slopeRight});
     }
     constexpr float kBorder = 1.05f;
-    camera.eye = center - camera.forward * (std::max(distance, 1e-3f * longest) * kBorder);
+    camera.eye = center - camera.forward * (distance > 0.0f ? distance * kBorder : 1.0f);
     return camera;
 }
 

@@ -1,0 +1,185 @@
+// How many cells the lattice has, where it lies, and which scenes and options it refuses.
+#include "accel/lattice.h"
+#include "fixtures/expect_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace metamarch::tests {
+namespace {
+
+constexpr std::uint32_t kTriangles = 1000;
+
+Bounds boxFromOrigin(const glm::vec3 size) { return {glm::vec3(0.0f), size}; }
+
+AccelerationOptions withUnit(const glm::dvec3 unit) { return {unit, {}, {}}; }
+AccelerationOptions withCells(const std::uint64_t cells) { return {{}, cells, {}}; }
+
+glm::uvec3 resolutionOf(const Bounds& bounds, const AccelerationOptions& options) {
+    return makeLattice(bounds, kTriangles, options).lattice.resolution;
+}
+
+TEST(LatticeResolution, isThePapers) {
+    // The bunny, and the Viewpoint cow divided by 10.
+    const Bounds bunny{{-0.09469f, 0.032987f, -0.061874f}, {0.06101f, 0.187321f, 0.0588f}};
+    EXPECT_EQ(resolutionOf(bunny, withUnit(glm::dvec3(0.002))), glm::uvec3(78, 78, 61));
+    const Bounds cow{{-0.4445835f, -0.3637036f, -0.1701405f}, {0.5998088f, 0.275972f, 0.1701405f}};
+    EXPECT_EQ(resolutionOf(cow, withUnit(glm::dvec3(0.02))), glm::uvec3(53, 32, 18));
+    EXPECT_EQ(makeLattice(cow, kTriangles, withUnit(glm::dvec3(0.02))).lattice.cellCount, 30528u);
+}
+
+TEST(LatticeResolution, ofExactMultiplesIsTheQuotient) {
+    EXPECT_EQ(resolutionOf(boxFromOrigin({0.3f, 0.6f, 0.7f}), withUnit(glm::dvec3(0.1))),
+              glm::uvec3(3, 6, 7));
+    EXPECT_EQ(resolutionOf(boxFromOrigin({1.0f, 2.5f, 10.0f}), withUnit({0.25, 2.5, 0.01})),
+              glm::uvec3(4, 1, 1000));
+    EXPECT_EQ(resolutionOf(boxFromOrigin(glm::vec3(1023.0f)), withUnit({1.0, 1023.0, 341.0})),
+              glm::uvec3(1023, 1, 3));
+}
+
+TEST(LatticeResolution, roundsUp) {
+    EXPECT_EQ(resolutionOf(boxFromOrigin({1.001f, 0.999f, 0.5f}), withUnit(glm::dvec3(1.0))),
+              glm::uvec3(2, 1, 1));
+}
+
+TEST(LatticeResolution, isOneOnAFlatAxis) {
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 size(1.0f);
+        size[axis] = 0.0f;
+        EXPECT_EQ(resolutionOf(boxFromOrigin(size), {})[axis], 1u);
+        EXPECT_EQ(resolutionOf(boxFromOrigin(size), withUnit(glm::dvec3(0.1)))[axis], 1u);
+        glm::vec3 needle(0.0f);
+        needle[axis] = 1.0f;
+        glm::uvec3 expected(1);
+        expected[axis] = 10;
+        EXPECT_EQ(resolutionOf(boxFromOrigin(needle), withUnit(glm::dvec3(0.1))), expected);
+    }
+}
+
+TEST(LatticeResolution, isOneCellWithoutTriangles) {
+    const Bounds none{glm::vec3(1.0f), glm::vec3(-1.0f)};
+    for (const AccelerationOptions& options : {AccelerationOptions{}, withUnit(glm::dvec3(1e-4)),
+                                               withCells(1000000), withCells(std::uint64_t{1} << 40)}) {
+        EXPECT_EQ(makeLattice(none, 0, options).lattice.resolution, glm::uvec3(1));
+    }
+}
+
+TEST(LatticeResolution, comesNearTheCellsAskedFor) {
+    const glm::vec3 sizes[] = {{1, 1, 1},         {1, 0.5f, 0.1f}, {3, 3, 0.01f},     {1, 1, 0},
+                               {1, 0.01f, 0.01f}, {1, 0, 0},       {1e-9f, 1e-9f, 0}, {1e9f, 1e7f, 1e8f}};
+    for (const glm::vec3 size : sizes) {
+        for (const std::uint64_t target : {1u, 2u, 1000u, 30528u, 371124u, 6000000u, 1u << 28u}) {
+            const Lattice lattice = makeLattice(boxFromOrigin(size), kTriangles, withCells(target)).lattice;
+            const glm::uvec3 counts = lattice.resolution;
+            EXPECT_EQ(lattice.cellCount, counts.x * counts.y * counts.z);
+            EXPECT_LE(lattice.cellCount, target);
+            const bool axisIsFull = std::max({counts.x, counts.y, counts.z}) == kMaxLatticeResolution;
+            // One cell more on every axis that has several would be too many.
+            std::uint64_t next = 1;
+            for (int axis = 0; axis < 3; ++axis) {
+                next *= counts[axis] + (size[axis] > 0.0f ? 1u : 0u);
+            }
+            EXPECT_TRUE(axisIsFull || next > target)
+                << counts.x << " x " << counts.y << " x " << counts.z << " cells for " << target;
+        }
+    }
+}
+
+TEST(LatticeResolution, growsWithTheTriangles) {
+    std::uint32_t before = 0;
+    for (const std::uint32_t triangles : {1u, 10000u, 100000u, 1000000u}) {
+        const Lattice lattice = makeLattice(boxFromOrigin(glm::vec3(1.0f)), triangles, {}).lattice;
+        EXPECT_GT(lattice.cellCount, before);
+        EXPECT_EQ(lattice.triangleCount, triangles);
+        before = lattice.cellCount;
+    }
+    const Lattice most = makeLattice(boxFromOrigin(glm::vec3(1.0f)), 0xffffffffu, {}).lattice;
+    EXPECT_LE(most.cellCount * sizeof(std::uint32_t), kTableBudget);
+}
+
+// Geometry keeps its distance from the faces, so that no rounding of a ray carries a hit out of the lattice.
+void expectPadding(const Bounds& bounds, const AccelerationOptions& options) {
+    const Lattice lattice = makeLattice(bounds, kTriangles, options).lattice;
+    SCOPED_TRACE(testing::Message() << "origin " << lattice.origin.x << " " << lattice.origin.y << " "
+                                    << lattice.origin.z << ", extent " << lattice.extent);
+    // The scale is rounded to single precision, which may take some half-ulps of the lattice.
+    constexpr double kRounding = 2.0 * 0x1p-24;
+    const glm::dvec3 padding =
+        (kBoxPadding - kRounding) * static_cast<double>(lattice.extent) * glm::dvec3(lattice.cellsPerUnit);
+    const glm::dvec3 lo = toLattice(lattice, bounds.lo);
+    const glm::dvec3 hi = toLattice(lattice, bounds.hi);
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(lo[axis], padding[axis]);
+        EXPECT_LE(hi[axis], lattice.resolution[axis] - padding[axis]);
+        longest = std::max(longest, lattice.resolution[axis] / double{lattice.cellsPerUnit[axis]});
+    }
+    EXPECT_NEAR(lattice.extent, longest, longest * 0x1p-22);
+}
+
+TEST(LatticePadding, keepsGeometryInside) {
+    const glm::vec3 sizes[] = {{1, 1, 1}, {1, 0.5f, 0.001f}, {1, 0, 1}, {0, 2, 0}, {0.3f, 0.6f, 0.7f}};
+    for (const glm::vec3 size : sizes) {
+        for (const float scale : {1e-9f, 1.0f, 1e9f}) {
+            for (const float distance : {0.0f, 1.0f, 100.0f, 1e5f}) {
+                const glm::vec3 lo = scale * distance * glm::vec3(1.0f, -0.1f, 0.5f);
+                const Bounds bounds{lo, lo + scale * size};
+                expectPadding(bounds, {});
+                expectPadding(bounds, withUnit(glm::dvec3(0.1 * static_cast<double>(scale))));
+                expectPadding(bounds, withUnit(glm::dvec3(5.0 * static_cast<double>(scale))));
+            }
+        }
+    }
+}
+
+TEST(LatticeRefusal, tooManyCellsOnAnAxis) {
+    const Bounds bounds = boxFromOrigin({1.0f, 0.5f, 0.25f});
+    const AccelerationOptions options = withUnit(glm::dvec3(0.0005));
+    expectError(ExitCode::outOfMemory, "2000 x 1000 x 500",
+                [&] { makeLattice(bounds, kTriangles, options); });
+    expectError(ExitCode::outOfMemory, "choose a unit of at least",
+                [&] { makeLattice(bounds, kTriangles, options); });
+}
+
+TEST(LatticeRefusal, namesAUnitThatIsTaken) {
+    for (float size = 1.0f; size < 1000.0f; size *= 1.37f) {
+        const Bounds bounds = boxFromOrigin({size, 0.0f, 0.0f});
+        const std::string line = lineOfError(ExitCode::outOfMemory, [&] {
+            makeLattice(bounds, kTriangles, withUnit(glm::dvec3(size / 5000.0)));
+        });
+        const double unit = std::stod(line.substr(line.find_last_of(' ')));
+        EXPECT_GE(resolutionOf(bounds, withUnit(glm::dvec3(unit))).x, kMaxLatticeResolution - 1) << line;
+    }
+}
+
+TEST(LatticeRefusal, tableOverTheBudget) {
+    const Bounds cube = boxFromOrigin(glm::vec3(1.0f));
+    const AccelerationOptions options = withUnit(glm::dvec3(0.001));
+    expectError(ExitCode::outOfMemory, "1000 x 1000 x 1000 cells takes 3815 MiB, more than the 1024 MiB",
+                [&] { makeLattice(cube, kTriangles, options); });
+    expectError(ExitCode::outOfMemory, "choose a larger --unit",
+                [&] { makeLattice(cube, kTriangles, options); });
+}
+
+TEST(LatticeRefusal, cellsOverTheBudget) {
+    const Bounds cube = boxFromOrigin(glm::vec3(1.0f));
+    for (const std::uint64_t cells : {(std::uint64_t{1} << 28) + 1, ~std::uint64_t{0}}) {
+        expectError(ExitCode::outOfMemory, "choose --cells below 268435456",
+                    [&] { makeLattice(cube, kTriangles, withCells(cells)); });
+    }
+    expectError(ExitCode::outOfMemory, "300000000 cells takes 1144 MiB",
+                [&] { makeLattice(cube, kTriangles, withCells(300000000)); });
+}
+
+TEST(LatticeRefusal, sceneOutsideSinglePrecision) {
+    for (const float size : {0.0f, 1e-11f, 1e11f, 3e38f}) {
+        expectError(ExitCode::sceneRefused, "--scale",
+                    [&] { makeLattice(boxFromOrigin(glm::vec3(size)), kTriangles, {}); });
+    }
+    EXPECT_NO_THROW(makeLattice(boxFromOrigin(glm::vec3(1.1e-10f)), kTriangles, {}));
+    EXPECT_NO_THROW(makeLattice(boxFromOrigin(glm::vec3(1e10f)), kTriangles, {}));
+}
+
+} // namespace
+} // namespace metamarch::tests

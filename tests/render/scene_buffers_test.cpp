@@ -1,0 +1,100 @@
+// Scenes larger than one buffer of the device, made of small ones under a small limit.
+#include "fixtures/expect_error.h"
+#include "fixtures/ray_sets.h"
+#include "fixtures/shapes.h"
+#include "fixtures/vulkan_environment.h"
+#include "render/ray_tracer.h"
+#include "render/scene_buffers.h"
+#include "shader_library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace metamarch::tests {
+namespace {
+
+class SceneBuffers : public testing::Test {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+
+    std::uint64_t records() const { return structure.triangles.size(); }
+
+    // The least limit that needs no more than `chunks` buffers for the records.
+    std::uint64_t limitFor(const std::uint64_t chunks) const {
+        return (records() + chunks - 1) / chunks * sizeof(TriangleRecord);
+    }
+
+    render::SceneBuffers buffersUnder(const std::uint64_t limit) const {
+        return {vulkan::testDevice(), structure, shading, limit};
+    }
+
+    // Few cells, so that the records are by far the largest buffer.
+    const Scene scene = triangleSoup(4000, 8);
+    const AccelerationStructure structure = buildAccelerationStructure(scene, {{}, 4096u, {}});
+    const ShadingData shading = makeShadingData(scene);
+};
+
+// With the default traversal: the chunks are the business of one function that all of them call.
+TEST_F(SceneBuffers, giveTheSameHitsInChunks) {
+    const std::vector<RayQuery> rays = trickyRays(scene, structure, 20000, 9);
+    const std::string traversal(traversals().front());
+    const auto trace = [&](const render::SceneBuffers& buffers, const bool anyHit) {
+        return render::RayTracer(vulkan::testDevice(), buffers, traversal, anyHit).trace(rays);
+    };
+    const render::SceneBuffers whole(vulkan::testDevice(), structure, shading);
+    for (const bool anyHit : {false, true}) {
+        const std::vector<RayResult> expected = trace(whole, anyHit);
+        const auto hits = std::count_if(expected.begin(), expected.end(), [](const RayResult& result) {
+            return result.triangleId != kNoTriangle;
+        });
+        ASSERT_GT(hits, 1000);
+        for (const std::uint32_t chunks : {2u, 3u, kTriangleChunks}) {
+            SCOPED_TRACE(chunks);
+            ASSERT_EQ(render::chunkTriangles(records(), limitFor(chunks)).count, chunks);
+            const std::vector<RayResult> results = trace(buffersUnder(limitFor(chunks)), anyHit);
+            EXPECT_TRUE(
+                std::ranges::equal(std::as_bytes(std::span(results)), std::as_bytes(std::span(expected))));
+        }
+    }
+}
+
+TEST_F(SceneBuffers, holdEachRecordOnce) {
+    const render::SceneBuffers whole(vulkan::testDevice(), structure, shading);
+    EXPECT_GT(whole.bytes(), records() * sizeof(TriangleRecord));
+    EXPECT_EQ(buffersUnder(limitFor(kTriangleChunks)).bytes(), whole.bytes());
+}
+
+TEST_F(SceneBuffers, refuseTooManyChunks) {
+    expectError(ExitCode::outOfMemory, "maxStorageBufferRange",
+                [&] { buffersUnder(limitFor(kTriangleChunks + 1)); });
+}
+
+TEST_F(SceneBuffers, refuseATableOverTheLimit) {
+    AccelerationStructure large = structure;
+    const std::uint64_t limit = limitFor(1);
+    large.leafOfCell.resize(limit / sizeof(std::uint32_t) + 1);
+    const auto load = [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); };
+    expectError(ExitCode::outOfMemory, "meta table", load);
+    expectError(ExitCode::outOfMemory, "maxStorageBufferRange", load);
+    expectError(ExitCode::outOfMemory, "choose a smaller --tree-depth or --cells", load);
+}
+
+TEST_F(SceneBuffers, refuseLeavesOverTheLimit) {
+    AccelerationStructure large = structure;
+    const std::uint64_t limit = limitFor(1);
+    large.tree.leaves.resize(limit / sizeof(Leaf) + 1);
+    expectError(ExitCode::outOfMemory, "leaves",
+                [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); });
+}
+
+TEST_F(SceneBuffers, refuseAnUnknownTraversal) {
+    const render::SceneBuffers buffers(vulkan::testDevice(), structure, shading);
+    for (const std::string_view traversal : traversals()) {
+        expectError(ExitCode::badArguments, std::string(traversal),
+                    [&] { render::RayTracer(vulkan::testDevice(), buffers, "no_such", false); });
+    }
+}
+
+} // namespace
+} // namespace metamarch::tests

@@ -1,0 +1,205 @@
+// What crosses the bus lies where both sides think: the SPIR-V of every shader against the structs of C++.
+#include "shader_library.h"
+#include "shaders/spirv_layout.h"
+#include "shared/bvh_node.h"
+#include "shared/camera.h"
+#include "shared/grid_walk.h"
+#include "shared/kd_node.h"
+#include "shared/kd_parent.h"
+#include "shared/primary.h"
+#include "shared/ray_query.h"
+#include "shared/scene_layout.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace metamarch {
+
+void PrintTo(const Shader& shader, std::ostream* out) { *out << shader.kernel << " " << shader.traversal; }
+
+namespace tests {
+namespace {
+
+struct MemberLayout {
+    std::string_view name;
+    std::size_t offset;
+    std::size_t size;
+};
+
+struct StructLayout {
+    std::string_view name;
+    std::size_t size;
+    std::vector<MemberLayout> members;
+};
+
+void PrintTo(const StructLayout& layout, std::ostream* out) { *out << layout.name; }
+
+#define MEMBER(Struct, member)                                                                               \
+    { #member, offsetof(Struct, member), sizeof(Struct::member) }
+
+// Every struct of shaders/shared that lies in a buffer or in push constants.
+const StructLayout kStructs[] = {
+    {"Lattice",
+     sizeof(Lattice),
+     {MEMBER(Lattice, origin), MEMBER(Lattice, extent), MEMBER(Lattice, cellsPerUnit),
+      MEMBER(Lattice, cellCount), MEMBER(Lattice, resolution), MEMBER(Lattice, triangleCount)}},
+    {"Leaf",
+     sizeof(Leaf),
+     {MEMBER(Leaf, lo), MEMBER(Leaf, hi), MEMBER(Leaf, firstTriangle), MEMBER(Leaf, triangleCount)}},
+    {"KdNode", sizeof(KdNode), {MEMBER(KdNode, tag), MEMBER(KdNode, target)}},
+    {"KdParent",
+     sizeof(KdParent),
+     {MEMBER(KdParent, lo), MEMBER(KdParent, hi), MEMBER(KdParent, parent), MEMBER(KdParent, padding)}},
+    {"BvhNode",
+     sizeof(BvhNode),
+     {MEMBER(BvhNode, lo0), MEMBER(BvhNode, child0), MEMBER(BvhNode, hi0), MEMBER(BvhNode, child1),
+      MEMBER(BvhNode, lo1), MEMBER(BvhNode, padding0), MEMBER(BvhNode, hi1), MEMBER(BvhNode, padding1)}},
+    {"Grid",
+     sizeof(Grid),
+     {MEMBER(Grid, scale), MEMBER(Grid, cellCount), MEMBER(Grid, resolution), MEMBER(Grid, padding)}},
+    {"GridCell", sizeof(GridCell), {MEMBER(GridCell, firstTriangle), MEMBER(GridCell, triangleCount)}},
+    {"TriangleRecord",
+     sizeof(TriangleRecord),
+     {MEMBER(TriangleRecord, v0), MEMBER(TriangleRecord, triangleId), MEMBER(TriangleRecord, v1),
+      MEMBER(TriangleRecord, padding0), MEMBER(TriangleRecord, v2), MEMBER(TriangleRecord, padding1)}},
+    {"ShadingMaterial",
+     sizeof(ShadingMaterial),
+     {MEMBER(ShadingMaterial, baseColor), MEMBER(ShadingMaterial, alpha)}},
+    {"Camera",
+     sizeof(Camera),
+     {MEMBER(Camera, eye), MEMBER(Camera, width), MEMBER(Camera, forward), MEMBER(Camera, height),
+      MEMBER(Camera, eyeRight), MEMBER(Camera, padding0), MEMBER(Camera, eyeDown), MEMBER(Camera, padding1),
+      MEMBER(Camera, dirRight), MEMBER(Camera, padding2), MEMBER(Camera, dirDown), MEMBER(Camera, padding3)}},
+    {"PrimaryPixel",
+     sizeof(PrimaryPixel),
+     {MEMBER(PrimaryPixel, color), MEMBER(PrimaryPixel, alpha), MEMBER(PrimaryPixel, normal),
+      MEMBER(PrimaryPixel, depth), MEMBER(PrimaryPixel, t), MEMBER(PrimaryPixel, triangleId),
+      MEMBER(PrimaryPixel, steps), MEMBER(PrimaryPixel, tests)}},
+    {"PrimaryPush", sizeof(PrimaryPush), {MEMBER(PrimaryPush, firstTile), MEMBER(PrimaryPush, tilesPerRow)}},
+    {"RayQuery",
+     sizeof(RayQuery),
+     {MEMBER(RayQuery, origin), MEMBER(RayQuery, tMin), MEMBER(RayQuery, dir), MEMBER(RayQuery, tMax)}},
+    {"RayResult",
+     sizeof(RayResult),
+     {MEMBER(RayResult, t), MEMBER(RayResult, triangleId), MEMBER(RayResult, steps),
+      MEMBER(RayResult, tests)}},
+    {"RaysPush", sizeof(RaysPush), {MEMBER(RaysPush, first), MEMBER(RaysPush, end)}},
+};
+
+#undef MEMBER
+
+const StructLayout* findStruct(const std::string_view name) {
+    const auto* const found =
+        std::find_if(std::begin(kStructs), std::end(kStructs),
+                     [&](const StructLayout& candidate) { return candidate.name == name; });
+    return found == std::end(kStructs) ? nullptr : found;
+}
+
+// Buffers that shaders read in vectors of words, from which they make structs member by member.
+struct WordBuffer {
+    std::string_view block;
+    std::string_view element;
+};
+
+const WordBuffer kWordBuffers[] = {
+    {"LeafBuffer", "Leaf"},       {"KdNodeBuffer", "KdNode"},     {"KdParentBuffer", "KdParent"},
+    {"BvhNodeBuffer", "BvhNode"}, {"GridCellBuffer", "GridCell"},
+};
+
+const StructLayout* findElement(const std::string_view block) {
+    const auto* const found =
+        std::find_if(std::begin(kWordBuffers), std::end(kWordBuffers),
+                     [&](const WordBuffer& candidate) { return candidate.block == block; });
+    return found == std::end(kWordBuffers) ? nullptr : findStruct(found->element);
+}
+
+// A struct outside of memory has no offsets: made from words, its members lie one after the other.
+void expectMembers(const SpirvLayout& layout, const SpirvStruct& found, const StructLayout& expected) {
+    ASSERT_EQ(found.members.size(), expected.members.size());
+    std::uint32_t end = 0;
+    for (std::size_t i = 0; i < found.members.size(); ++i) {
+        const SpirvMember& member = found.members[i];
+        SCOPED_TRACE(member.name);
+        ASSERT_TRUE(layout.numbers.contains(member.typeId)) << "neither a number nor a vector";
+        EXPECT_EQ(member.name, expected.members[i].name);
+        EXPECT_EQ(member.offset.value_or(end), expected.members[i].offset);
+        EXPECT_EQ(layout.numbers.at(member.typeId), expected.members[i].size);
+        end = member.offset.value_or(end) + layout.numbers.at(member.typeId);
+    }
+    EXPECT_EQ(end, expected.size) << "padding without a name at the end";
+}
+
+// A buffer holds one member, a struct of the table or a number, or an array of them without gaps.
+void expectBlock(const SpirvLayout& layout, const SpirvStruct& block) {
+    ASSERT_EQ(block.members.size(), 1u);
+    EXPECT_EQ(block.members.front().offset, 0u);
+    const auto array = layout.arrays.find(block.members.front().typeId);
+    const bool isArray = array != layout.arrays.end();
+    const std::uint32_t typeId = isArray ? array->second.elementTypeId : block.members.front().typeId;
+    if (layout.structs.contains(typeId)) {
+        const StructLayout* const element = findStruct(layout.structs.at(typeId).name);
+        ASSERT_NE(element, nullptr) << layout.structs.at(typeId).name << " is not in the table of this test";
+        EXPECT_EQ(isArray ? array->second.stride : element->size, element->size);
+        return;
+    }
+    ASSERT_TRUE(isArray && layout.numbers.contains(typeId));
+    const std::uint32_t size = layout.numbers.at(typeId);
+    EXPECT_EQ(array->second.stride, size);
+    if (size > sizeof(std::uint32_t)) {
+        const StructLayout* const element = findElement(block.name);
+        ASSERT_NE(element, nullptr) << "its words are not in the table of this test";
+        EXPECT_EQ(element->size % size, 0u);
+    }
+}
+
+class Layout : public testing::TestWithParam<Shader> {};
+
+TEST_P(Layout, isTheOneOfTheStructsInCpp) {
+    const SpirvLayout layout = readLayout(GetParam().spirv);
+    std::size_t blocks = 0;
+    for (const auto& [typeId, found] : layout.structs) {
+        SCOPED_TRACE(found.name);
+        if (found.isBlock) {
+            expectBlock(layout, found);
+            ++blocks;
+        } else if (const StructLayout* const expected = findStruct(found.name)) {
+            expectMembers(layout, found, *expected);
+        } else {
+            EXPECT_FALSE(found.liesInMemory()) << "not in the table of this test";
+        }
+    }
+    EXPECT_GT(blocks, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shaders, Layout, testing::ValuesIn(shaders().begin(), shaders().end()),
+                         [](const auto& instance) {
+                             return fmt::format("{}_{}", instance.param.kernel, instance.param.traversal);
+                         });
+
+class SharedStruct : public testing::TestWithParam<StructLayout> {};
+
+bool liesInMemory(const SpirvLayout& layout, const StructLayout& wanted) {
+    return std::any_of(layout.structs.begin(), layout.structs.end(), [&](const auto& entry) {
+        const SpirvStruct& candidate = entry.second;
+        const StructLayout* const element = candidate.isBlock ? findElement(candidate.name) : nullptr;
+        return (candidate.name == wanted.name && candidate.liesInMemory()) ||
+               (element != nullptr && element->name == wanted.name);
+    });
+}
+
+// Without it the test above could pass for having compared nothing.
+TEST_P(SharedStruct, liesInTheMemoryOfSomeShader) {
+    EXPECT_TRUE(std::any_of(shaders().begin(), shaders().end(), [](const Shader& shader) {
+        return liesInMemory(readLayout(shader.spirv), GetParam());
+    }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Structs, SharedStruct, testing::ValuesIn(kStructs),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+} // namespace
+} // namespace tests
+} // namespace metamarch

@@ -1,0 +1,40 @@
+// The memory layout that a SPIR-V module declares: what its shader believes to find in buffers.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace metamarch::tests {
+
+struct SpirvMember {
+    std::string name;
+    std::uint32_t typeId = 0;
+    std::optional<std::uint32_t> offset; // bytes; only structs that lie in memory have them
+};
+
+struct SpirvStruct {
+    std::string name;
+    bool isBlock = false; // the whole of a buffer or of the push constants
+    std::vector<SpirvMember> members;
+
+    bool liesInMemory() const { return !members.empty() && members.front().offset.has_value(); }
+};
+
+struct SpirvArray {
+    std::uint32_t elementTypeId = 0;
+    std::optional<std::uint32_t> stride; // bytes; only arrays that lie in memory have it
+};
+
+struct SpirvLayout {
+    std::map<std::uint32_t, SpirvStruct> structs;   // [type id]
+    std::map<std::uint32_t, SpirvArray> arrays;     // [type id], of fixed and of runtime length
+    std::map<std::uint32_t, std::uint32_t> numbers; // [type id] -> bytes, of scalars and vectors
+};
+
+// Throws std::runtime_error for words that are no module.
+SpirvLayout readLayout(std::span<const std::uint32_t> spirv);
+
+} // namespace metamarch::tests
