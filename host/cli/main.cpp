@@ -1,5 +1,6 @@
 // The program: parses the command line, runs one sub-command, turns every failure into one line and an exit
 // code.
+#include "cli/bench_command.h"
 #include "cli/compare_command.h"
 #include "cli/devices_command.h"
 #include "cli/info_command.h"
@@ -102,6 +103,7 @@ int run(int argc, char** argv) {
     addRenderCommand(program);
     addInfoCommand(program);
     addCompareCommand(program);
+    addBenchCommand(program);
     addDevicesCommand(program);
     try {
         program.parse(argc, argv);

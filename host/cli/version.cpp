@@ -12,9 +12,9 @@
 
 namespace metamarch::cli {
 
-std::string programVersion() {
-    return fmt::format("metamarch {} ({})", METAMARCH_VERSION, METAMARCH_GIT_COMMIT);
-}
+std::string gitCommit() { return METAMARCH_GIT_COMMIT; }
+
+std::string programVersion() { return fmt::format("metamarch {} ({})", METAMARCH_VERSION, gitCommit()); }
 
 std::string versionText() {
     constexpr std::uint32_t vulkan = VK_HEADER_VERSION_COMPLETE;

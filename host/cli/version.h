@@ -3,6 +3,9 @@
 
 namespace metamarch::cli {
 
+// The commit this was built from: "0123abcd4567", with "-dirty" behind it where files differ.
+std::string gitCommit();
+
 // "metamarch 0.1.0 (0123abcd4567)".
 std::string programVersion();
 

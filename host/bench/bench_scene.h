@@ -1,0 +1,42 @@
+// A scene made ready for every backend, and rays with the hits they must find.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "bench/ray_set.h"
+#include "bench/row.h"
+#include "bench/structure_cost.h"
+#include "scene/shading.h"
+
+#include <string>
+#include <vector>
+
+namespace metamarch::bench {
+
+struct BenchScene {
+    // Throws what buildAccelerationStructure throws.
+    BenchScene(std::string sceneName, Scene importedScene, const AccelerationOptions& options);
+    BenchScene(const BenchScene&) = delete;
+    BenchScene& operator=(const BenchScene&) = delete;
+
+    const std::string name;
+    const Scene scene;
+    const AccelerationStructure structure;
+    const ShadingData shading;
+    const StructureSet structures{structure}; // for the CPU; the device has a set of its own
+    StructureCosts costs{structures};
+};
+
+// Rays and what the judge says of them.
+struct JudgedRays {
+    std::string name;
+    std::string view; // Row::view
+    RaySet set;
+    std::vector<RayResult> judged;
+};
+
+JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view, RaySet set);
+
+// A row but for its speed: names, counts, means of what `results` counted, cost of the structure.
+Row describeRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+                const std::string& backend, const std::string& device, std::span<const RayResult> results);
+
+} // namespace metamarch::bench

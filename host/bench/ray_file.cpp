@@ -1,0 +1,63 @@
+#include "bench/ray_file.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <fstream>
+
+namespace metamarch::bench {
+namespace {
+
+using FileRay = std::array<float, 6>;
+
+static_assert(std::endian::native == std::endian::little);
+
+std::vector<FileRay> readAll(const std::filesystem::path& path) {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(ExitCode::sceneRefused, fmt::format("{}: {}", path.string(), what));
+    };
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(path, failure)) {
+        refuse("no such file; --rays wants a file of rays");
+    }
+    const std::uintmax_t size = std::filesystem::file_size(path, failure);
+    if (size == 0 || size % sizeof(FileRay) != 0) {
+        refuse(fmt::format("{} bytes are no whole number of rays; a ray is six float32, {} bytes", size,
+                           sizeof(FileRay)));
+    }
+    std::vector<FileRay> rays(size / sizeof(FileRay));
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(reinterpret_cast<char*>(rays.data()), static_cast<std::streamsize>(size))) {
+        refuse("cannot be read");
+    }
+    return rays;
+}
+
+} // namespace
+
+RaySet readRayFile(const std::filesystem::path& path) {
+    RaySet set;
+    for (const FileRay& ray : readAll(path)) {
+        const auto refuse = [&](const char* what) {
+            throw Error(ExitCode::sceneRefused,
+                        fmt::format("{}: ray {} {}", path.string(), set.rays.size(), what));
+        };
+        for (const float value : ray) {
+            if (!std::isfinite(value)) {
+                refuse("has a number that is not finite");
+            }
+        }
+        const glm::vec3 dir(ray[3], ray[4], ray[5]);
+        if (dir == glm::vec3(0.0f)) {
+            refuse("has no direction");
+        }
+        set.rays.push_back({{ray[0], ray[1], ray[2]}, 0.0f, dir, kFarthest});
+    }
+    return set;
+}
+
+} // namespace metamarch::bench

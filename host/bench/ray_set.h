@@ -1,0 +1,39 @@
+// Rays to measure with: the same on every machine and in every run.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "reference/trace.h"
+#include "shared/camera.h"
+#include "shared/ray_query.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace metamarch::bench {
+
+struct RaySet {
+    std::vector<RayQuery> rays;
+    HitQuery query = HitQuery::closest;
+};
+
+// far, close: camera rays of the four axis views, 1.5 and 0.7 box diagonals from the centre
+// ao:         one cosine-distributed ray from each hit of `close`, a tenth of the box diagonal long, any hit
+// shadow:     from each hit of `close` to a light outside the box, any hit
+// mirror:     from each hit of `close`, reflected at the triangle's plane
+// diffuse:    one cosine-distributed ray from each hit of `close`
+// random:     as many as `close` has, from points uniform in the box in uniform directions
+inline constexpr std::array<std::string_view, 7> kRaySetNames{"far",    "close",   "ao",    "shadow",
+                                                              "mirror", "diffuse", "random"};
+
+// One of kRaySetNames; the views are of width x height pixels.
+RaySet makeRaySet(std::string_view name, const Scene& scene, const AccelerationStructure& structure,
+                  std::uint32_t width, std::uint32_t height);
+
+// The rays through the centres of the camera's pixels, in the order in which the kernel `primary` traces
+// them: tiles of 8 x 8, so that rays side by side in memory are side by side in the picture.
+std::vector<RayQuery> cameraRays(const Camera& camera);
+
+// `count` rays from points uniform in the lattice's box in uniform directions.
+RaySet randomRays(const Lattice& lattice, std::size_t count);
+
+} // namespace metamarch::bench

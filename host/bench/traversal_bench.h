@@ -1,0 +1,19 @@
+// Measures traversals on one scene: on a device and, as CPU twins, in one thread.
+#pragma once
+#include "bench/bench_scene.h"
+#include "bench/measurement.h"
+#include "render/scene_buffers.h"
+
+namespace metamarch::bench {
+
+// Both trace the rays once, compare the hits with the judge's and only then measure. They throw
+// Error(comparisonFailed), saying how many rays differ, where the hits are not the judge's.
+Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+                  const vulkan::Device& device, const render::SceneBuffers& buffers,
+                  const Protocol& protocol);
+
+// `traversal` must have a twin.
+Row benchOnCpu(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+               const Protocol& protocol);
+
+} // namespace metamarch::bench

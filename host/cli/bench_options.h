@@ -1,0 +1,34 @@
+// What the benchmarks' sub-commands have in common.
+#pragma once
+#include "bench/measurement.h"
+#include "bench/row.h"
+#include "vulkan/device.h"
+
+#include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
+
+#include <string>
+
+namespace metamarch::cli {
+
+class BenchOptions {
+  public:
+    void addTo(CLI::App& command);
+
+    // Throw Error(badArguments) for values out of range.
+    bench::Protocol protocol() const;
+    glm::uvec2 size() const;
+
+    std::string sizeText = "320x240";
+
+  private:
+    int repeat = 5;
+    double seconds = 0.5;
+};
+
+bench::Origin originOf(const std::string& device, const std::string& driver);
+
+// The JSON of the rows, also where a driver calls its device by bytes that are no UTF-8.
+std::string jsonText(const bench::Origin& origin, std::span<const bench::Row> rows);
+
+} // namespace metamarch::cli

@@ -1,0 +1,80 @@
+#include "cli/bench_paper_command.h"
+
+#include "bench/paper_bench.h"
+#include "cli/bench_options.h"
+#include "cli/warnings.h"
+#include "error.h"
+#include "image/output_file.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace metamarch::cli {
+namespace {
+
+struct PaperOptions {
+    std::string scenes;
+    std::string out;
+    std::string device;
+    BenchOptions bench;
+};
+
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw Error(ExitCode::outputNotWritable, fmt::format("{}: {}", folder.string(), failure.message()));
+    }
+}
+
+void runPaper(const PaperOptions& options) {
+    const glm::uvec2 size = options.bench.size();
+    const bench::Protocol protocol = options.bench.protocol();
+    const vulkan::Context context;
+    const vulkan::Device device(context, options.device);
+    std::vector<std::unique_ptr<bench::BenchScene>> scenes;
+    for (const bench::PaperModel& model : bench::paperModels()) {
+        scenes.push_back(bench::loadPaperModel(model, options.scenes));
+        printWarnings(scenes.back()->scene);
+    }
+    const std::filesystem::path folder = options.out;
+    makeFolder(folder);
+    { const OutputFile probe(folder / "paper.json"); }
+
+    const bench::Origin origin = originOf(device.name(), device.report().driverInfo);
+    fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
+               bench::definitions(), bench::textHeadings());
+    std::vector<bench::Row> rows;
+    for (const std::unique_ptr<bench::BenchScene>& scene : scenes) {
+        bench::benchPaperModel(*scene, device, size.x, size.y, protocol, [&](const bench::Row& row) {
+            fmt::print("{}\n", bench::toText(row));
+            rows.push_back(row);
+        });
+    }
+    writeText(folder / "paper.json", jsonText(origin, rows));
+    writeText(folder / "paper.csv", bench::toCsv(rows));
+    fmt::print("\n{}\n{} and paper.csv written; tools/plot_bench draws them\n",
+               bench::compareWithClaims(rows), (folder / "paper.json").string());
+}
+
+} // namespace
+
+void addBenchPaperCommand(CLI::App& bench) {
+    CLI::App* command = bench.add_subcommand(
+        "paper", "The paper's experiment: cow and bunny, stack traversal against meta table");
+    const auto options = std::make_shared<PaperOptions>();
+    command->add_option("--scenes", options->scenes, "Folder with the models, see tools/fetch_scenes")
+        ->type_name("DIR")
+        ->required();
+    command->add_option("--out", options->out, "Folder for paper.json and paper.csv")
+        ->type_name("DIR")
+        ->required();
+    command->add_option("--device", options->device, "Vulkan device, see `metamarch devices`")
+        ->type_name("INDEX|NAME");
+    options->bench.addTo(*command);
+    command->footer("Example:\n  build/metamarch bench paper --scenes build/scenes --out build/paper");
+    command->callback([options] { runPaper(*options); });
+}
+
+} // namespace metamarch::cli

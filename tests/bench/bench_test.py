@@ -1,0 +1,104 @@
+"""`metamarch bench` from outside: what it prints and writes, and what it refuses."""
+import csv
+import json
+import struct
+import subprocess
+
+from program import SCENES, SOURCE, ProgramTest, main, shared_scenes
+
+ROW_KEYS = {"scene", "rays", "traversal", "backend", "rayCount", "hits", "mraysPerSecond", "spread", "visitsPerRay",
+            "testsPerRay", "bytesPerRay", "floorMultiple"}
+QUICK = ["--repeat", "1", "--seconds", "0"]
+
+
+class TraversalTest(ProgramTest):
+    def bench(self, *words):
+        self.succeed("bench", "traversal", str(SCENES / "objects.glb"), "--size", "24x16", *QUICK, "--json", "rows.json",
+                     *words)
+        return json.loads((self.tmp / "rows.json").read_text())
+
+    def test_every_traversal_and_ray_set_has_a_row(self):
+        listing = dict(line.split(": ") for line in self.succeed("bench", "--list").splitlines())
+        report = self.bench()
+        self.assertEqual(report["schema"], 1)
+        self.assertLessEqual({"device", "driver", "commit", "rows"}, report.keys())
+        on_device = [row for row in report["rows"] if row["backend"] == "gpu"]
+        self.assertEqual({(row["rays"], row["traversal"]) for row in on_device},
+                         {(rays, name) for rays in listing["ray sets"].split()
+                          for name in listing["traversals"].split() if name != "brute_force"})
+        for row in report["rows"]:
+            self.assertLessEqual(ROW_KEYS, row.keys())
+            self.assertGreater(row["mraysPerSecond"], 0)
+        for row in on_device:
+            self.assertGreater(row["bytesPerRay"], 0, row)
+            self.assertEqual(row["differingHits"], 0, row)
+
+    def test_rays_come_from_a_file(self):
+        (self.tmp / "two.rays").write_bytes(struct.pack("<12f", 0, 0.5, 9, 0, 0, -1, 0, 0.5, 9, 0, 0, 1))
+        rows = self.bench("--rays", "two.rays", "--traversals", "meta_table")["rows"]
+        self.assertEqual({(row["rays"], row["rayCount"]) for row in rows}, {("two.rays", 2)})
+        self.assertLessEqual({row["hits"] for row in rows}, {0, 1})
+
+    def test_a_table_for_a_readme(self):
+        self.bench("--rays", "far", "--traversals", "meta_table", "--markdown", "rows.md")
+        self.assertRegex((self.tmp / "rows.md").read_text(), r"\| objects.glb \| far \| meta_table \| gpu \|")
+
+    def test_bad_input_is_refused(self):
+        (self.tmp / "nan.rays").write_bytes(struct.pack("<6f", 0, 0, 0, 0, float("nan"), 1))
+        (self.tmp / "short.rays").write_bytes(b"12345")
+        scene = str(SCENES / "objects.glb")
+        for code, part, words in [(3, "not finite", [scene, "--rays", "nan.rays"]),
+                                  (3, "5 bytes", [scene, "--rays", "short.rays"]),
+                                  (3, "no such file", [scene, "--rays", "nowhere"]),
+                                  (3, "absent.glb", ["absent.glb"]),
+                                  (2, "warp", [scene, "--traversals", "warp"]),
+                                  (2, "--repeat", [scene, "--repeat", "0"]),
+                                  (2, "--seconds", [scene, "--seconds", "-1"]),
+                                  (2, "--size", [scene, "--size", "0x1"]),
+                                  (4, "nowhere", [scene, "--devices", "nowhere"]),
+                                  (5, "nowhere", [scene, "--json", "nowhere/rows.json"])]:
+            with self.subTest(words=words):
+                self.assertIn(part, self.refuse(code, "bench", "traversal", *words))
+        self.assertIn("traversal or paper", self.refuse(2, "bench"))
+
+
+class PaperTest(ProgramTest):
+    def test_the_experiment(self):
+        scenes = shared_scenes()
+        if scenes is None:
+            return
+        text = self.succeed("bench", "paper", "--scenes", str(scenes), "--out", "paper", "--size", "40x30", *QUICK)
+        self.assertIn("A visit is an inner node or a leaf", text)
+        self.assertIn("80 to 85 % fewer visits", text)
+        self.assertIn("30 to 50 % less render time", text)
+        rows = json.loads((self.tmp / "paper" / "paper.json").read_text())["rows"]
+        self.assertEqual(len(rows), 2 * 4 * 4 * 2 * 2)  # models, views, ray sets, backends, traversals
+        with open(self.tmp / "paper" / "paper.csv", newline="") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), len(rows))
+        for row in rows:
+            if row["rays"] == "primary":
+                self.assertEqual(row["rayCount"], 1200)
+        visits = {(row["scene"], row["rays"], row["view"], row["traversal"]): row["visitsPerRay"] for row in rows}
+        for (scene, rays, view, traversal), count in visits.items():
+            if traversal == "meta_table":
+                self.assertLess(count, visits[scene, rays, view, "kd_stack"])
+        self.draw()
+
+    def draw(self):
+        plot = subprocess.run([str(SOURCE / "tools" / "plot_bench"), "paper/paper.json", "paper"],
+                              cwd=self.tmp, capture_output=True, text=True, check=False)
+        if "matplotlib" in plot.stderr:
+            self.assertEqual((plot.returncode, len(plot.stderr.splitlines())), (1, 1))
+            return
+        self.assertEqual((plot.returncode, plot.stderr), (0, ""))
+        for name in ("fig9.svg", "fig9.png", "fig10.svg", "fig10.png"):
+            self.assertGreater((self.tmp / "paper" / name).stat().st_size, 1000)
+
+    def test_missing_models_are_named(self):
+        line = self.refuse(3, "bench", "paper", "--scenes", ".", "--out", "paper")
+        self.assertIn("cow.off", line)
+        self.assertIn("tools/fetch_scenes", line)
+
+
+if __name__ == "__main__":
+    main()
