@@ -1,5 +1,6 @@
 #include "render/primary_renderer.h"
 
+#include "render/cut_short.h"
 #include "render/work_size.h"
 #include "vulkan/submission.h"
 #include "vulkan/transfer.h"
@@ -66,6 +67,9 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
         (render.submissions++ == 0 ? render.firstSeconds : render.deviceSeconds) += seconds;
         firstTile += count;
         onProgress(static_cast<double>(firstTile) / tiles);
+    }
+    for (const PrimaryPixel& pixel : render.pixels) {
+        refuseCutShort(pixel.steps, device, traversal);
     }
     return render;
 }

@@ -1,5 +1,6 @@
 #include "render/ray_tracer.h"
 
+#include "render/cut_short.h"
 #include "vulkan/transfer.h"
 
 namespace metamarch::render {
@@ -51,7 +52,11 @@ std::vector<RayResult> RayTracer::traceBatch(const std::span<const RayQuery> ray
         seconds += work.finished(spent);
         group += count;
     }
-    return vulkan::download<RayResult>(device, output);
+    std::vector<RayResult> results = vulkan::download<RayResult>(device, output);
+    for (const RayResult& result : results) {
+        refuseCutShort(result.steps, device, pipeline.name());
+    }
+    return results;
 }
 
 } // namespace metamarch::render

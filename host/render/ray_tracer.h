@@ -16,7 +16,7 @@ class RayTracer {
     RayTracer(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
               bool anyHit);
 
-    // One result per ray, in their order.
+    // One result per ray, in their order. Throws Error(outOfMemory) where the driver cuts a traversal short.
     std::vector<RayResult> trace(std::span<const RayQuery> rays);
 
     // What the last call of trace() took on the device, without transfers and without its first submission of

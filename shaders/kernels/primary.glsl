@@ -16,7 +16,8 @@ void main() {
     }
     const CameraRay view = cameraRay(camera, pixel.x, pixel.y);
     const Ray ray = makeRay(lattice, view.origin, 0.0, view.dir, kFarthest);
-    const Trace trace = traverse(ray, false);
+    Trace trace = startTrace(ray);
+    traverse(ray, false, trace);
 
     PrimaryPixel result = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
@@ -24,7 +25,7 @@ void main() {
         result = shadePrimary(camera, view, ray, trace.hit, triangle,
                               materials[materialOfTriangle[trace.hit.triangleId]]);
     }
-    result.steps = trace.steps;
+    result.steps = trace.finished ? trace.steps : kCutShort;
     result.tests = trace.tests;
     pixels[gl_WorkGroupID.x * kTilePixels + gl_LocalInvocationIndex] = result;
 }

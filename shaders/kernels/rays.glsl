@@ -16,11 +16,11 @@ void main() {
     }
     const RayQuery query = queries[i];
     const Ray ray = makeRay(lattice, query.origin, query.tMin, query.dir, query.tMax);
-    Trace trace;
+    Trace trace = startTrace(ray);
     if (anyHit != 0u) {
-        trace = traverse(ray, true);
+        traverse(ray, true, trace);
     } else {
-        trace = traverse(ray, false);
+        traverse(ray, false, trace);
     }
-    results[i] = rayResult(ray, trace.hit, trace.steps, trace.tests);
+    results[i] = rayResult(ray, trace.hit, trace.finished ? trace.steps : kCutShort, trace.tests);
 }

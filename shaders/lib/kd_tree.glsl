@@ -10,4 +10,11 @@ KdNode loadKdNode(const uint nodeId) {
     const uvec2 words = kdNodeWords[nodeId];
     return KdNode(words.x, words.y);
 }
+
+// The leaf of `node`; where a loop was ended on the way down and `node` is none, the trace will not count as
+// finished.
+Leaf enterLeaf(const KdNode node, inout Trace trace) {
+    trace.due += isLeaf(node) ? 0u : 1u;
+    return loadLeaf(leafOf(node));
+}
 #endif

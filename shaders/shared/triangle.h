@@ -10,6 +10,9 @@ struct Hit {
     uint triangleId; // kNoTriangle for a miss
 };
 
+// In place of a count of steps: the driver ended the traversal before it was done.
+const uint kCutShort = 0xffffffffu;
+
 const float kNoHit = -1.0f; // every real t is positive
 
 // The rounding error of the product p = a * b, exactly. T. J. Dekker, "A floating-point technique for

@@ -15,12 +15,14 @@
 // together, without a word: so many turns reach 2^19 triangles.
 const uint kBlock = 8u;
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
+
+    trace.due = lattice.triangleCount;
 
     // Holds here: the triangles before `first` have been tested.
     for (uint first = 0u; first < lattice.triangleCount; first += kBlock) {
@@ -30,8 +32,9 @@ Trace traverse(const Ray ray, const bool anyHit) {
             }
         }
         if (isDone(trace, anyHit)) {
-            return trace;
+            trace.due = trace.tests;
+            break;
         }
     }
-    return trace;
+    finish(trace);
 }

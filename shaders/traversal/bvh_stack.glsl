@@ -21,11 +21,11 @@ struct Pending {
     float tNear;
 };
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     Pending stack[kMaxBvhDepth];
     uint stackSize = 0u;
@@ -51,16 +51,19 @@ Trace traverse(const Ray ray, const bool anyHit) {
         }
         if (!missed) {
             ++trace.steps;
+            trace.due += isBvhLeaf(child) ? 0u : 1u; // not finished, where the way down was cut short
             testTriangles(ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
             if (isDone(trace, anyHit)) {
-                return trace;
+                finish(trace);
+                return;
             }
         }
         // Take the next one whose box begins before the best hit.
         float tNear;
         do {
             if (stackSize == 0u) {
-                return trace;
+                finish(trace);
+                return;
             }
             --stackSize;
             child = stack[stackSize].child;

@@ -16,11 +16,11 @@
 
 #include "lib/kd_parents.glsl"
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     uint nodeId = 0u;
     float tNear = ray.tNear;
@@ -39,17 +39,19 @@ Trace traverse(const Ray ray, const bool anyHit) {
             node = loadKdNode(nodeId);
         }
 
-        const Leaf leaf = loadLeaf(leafOf(node));
+        const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
-            return trace;
+            finish(trace);
+            return;
         }
         tNear = tFar;
         KdParent record = loadKdParent(nodeId);
         do {
             if (nodeId == 0u) {
-                return trace;
+                finish(trace);
+                return;
             }
             nodeId = record.parent;
             ++trace.steps;

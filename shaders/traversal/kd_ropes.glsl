@@ -15,11 +15,11 @@
 
 #include "lib/kd_ropes.glsl"
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution));
     uint nodeId = 0u;
@@ -36,18 +36,20 @@ Trace traverse(const Ray ray, const bool anyHit) {
         }
 
         const uint leafId = leafOf(node);
-        const Leaf leaf = loadLeaf(leafId);
+        const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);
         const BoxExit next = leaveBox(ray, lo, hi, cell);
         // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= next.t) {
-            return trace;
+            finish(trace);
+            return;
         }
         nodeId = kdRopes[ropeTowards(leafId, next.cell, lo, hi)];
         if (nodeId == kNoRope) {
-            return trace;
+            finish(trace);
+            return;
         }
         cell = next.cell;
     }

@@ -14,11 +14,11 @@
 
 #include "lib/kd_tree.glsl"
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     uvec4 stackNodeId = uvec4(0u); // the top in x
     vec4 stackFar = vec4(0.0);
@@ -50,11 +50,12 @@ Trace traverse(const Ray ray, const bool anyHit) {
             node = loadKdNode(nodeId);
         }
 
-        const Leaf leaf = loadLeaf(leafOf(node));
+        const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
-            return trace;
+            finish(trace);
+            return;
         }
         tNear = tFar;
         pushDown = stackSize == 0u;

@@ -16,11 +16,11 @@
 #include "lib/meta_table.glsl"
 #include "shared/march.h"
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution));
 
@@ -30,12 +30,14 @@ Trace traverse(const Ray ray, const bool anyHit) {
         const Leaf leaf = loadLeaf(leafOfCell[cellIndex(cell, lattice.resolution)]);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, anyHit)) {
-            return trace;
+            finish(trace);
+            return;
         }
         const BoxExit next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), cell);
         // A triangle may reach past the box: only a hit inside it is known to be the closest.
         if (trace.hit.t <= next.t || !isInLattice(next.cell, lattice.resolution)) {
-            return trace;
+            finish(trace);
+            return;
         }
         cell = next.cell;
     }

@@ -14,11 +14,11 @@
 
 #include "lib/uniform_grid.glsl"
 
-// The closest hit, or any hit when anyHit (folded at compile time).
-Trace traverse(const Ray ray, const bool anyHit) {
-    Trace trace = startTrace(ray);
+// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
-        return trace;
+        finish(trace);
+        return;
     }
     const Ray gridRay = inGrid(grid, ray);
     ivec3 cell = cellAt(gridRay, ray.tNear, ivec3(0), ivec3(grid.resolution));
@@ -31,7 +31,8 @@ Trace traverse(const Ray ray, const bool anyHit) {
         const BoxExit next = leaveCell(gridRay, cell);
         // A triangle may reach past the cell: only a hit inside it is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= next.t || !isInLattice(next.cell, grid.resolution)) {
-            return trace;
+            finish(trace);
+            return;
         }
         cell = next.cell;
     }

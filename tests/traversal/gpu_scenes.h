@@ -3,6 +3,7 @@
 #include "accel/acceleration_structure.h"
 
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct GpuScene {
     AccelerationOptions options{};
     bool inStadium = false; // on a plane 10,000 times larger
 };
+
+// How GoogleTest names one.
+inline void PrintTo(const GpuScene& scene, std::ostream* out) { *out << scene.name; }
 
 const std::vector<GpuScene>& gpuScenes();
 

@@ -15,6 +15,8 @@ struct NamedScene {
     AccelerationOptions options;
 };
 
+void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
+
 Scene emptyScene() { return {}; }
 
 Scene oneTriangle() {

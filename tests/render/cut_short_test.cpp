@@ -1,0 +1,37 @@
+// A driver that ends loops early (Mesa's llvmpipe does, after 65,535 turns) must not lose hits unseen.
+#include "error.h"
+#include "fixtures/ray_sets.h"
+#include "fixtures/shapes.h"
+#include "fixtures/vulkan_environment.h"
+#include "reference/trace.h"
+#include "render/ray_tracer.h"
+
+#include <gtest/gtest.h>
+
+namespace metamarch::tests {
+namespace {
+
+TEST(CutShort, isRefusedOrRight) {
+    Scene scene;
+    addSphere(scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles
+    const AccelerationStructure structure =
+        buildAccelerationStructure(scene, {{}, {}, 0u}); // all in one leaf
+    const render::SceneBuffers buffers(vulkan::testDevice(), structure, makeShadingData(scene));
+    const std::vector<RayQuery> rays = trickyRays(scene, structure, 256, 3);
+    render::RayTracer tracer(vulkan::testDevice(), buffers, "meta_table", false);
+    std::vector<RayResult> results;
+    try {
+        results = tracer.trace(rays);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::outOfMemory);
+        EXPECT_NE(std::string(error.what()).find("65535"), std::string::npos) << error.what();
+        return;
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = makeRay(structure.lattice, rays[i].origin, rays[i].tMin, rays[i].dir, rays[i].tMax);
+        EXPECT_EQ(results[i].triangleId, traceMetaTable(structure, ray, HitQuery::closest).hit.triangleId);
+    }
+}
+
+} // namespace
+} // namespace metamarch::tests
