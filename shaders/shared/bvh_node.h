@@ -32,8 +32,8 @@ SHARED_FN uint bvhFirstTriangle(const uint child) { return child & 0x07ffffffu; 
 // Where the ray is in the box, as (near, far): it misses where near > far. The boxes are grown by far more
 // than the roundings here.
 SHARED_FN vec2 crossBox(const Ray ray, const vec3 lo, const vec3 hi, const float tMax) {
-    SHARED_PRECISE const vec3 t0 = (lo - ray.start) * ray.invStride;
-    SHARED_PRECISE const vec3 t1 = (hi - ray.start) * ray.invStride;
+    const vec3 t0 = (lo - ray.start) * ray.invStride;
+    const vec3 t1 = (hi - ray.start) * ray.invStride;
     return vec2(max(largest(min(t0, t1)), 0.0f), min(smallest(max(t0, t1)), tMax));
 }
 

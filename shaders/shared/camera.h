@@ -29,17 +29,17 @@ struct CameraRay {
 
 // normalize() may be approximate; this is not.
 SHARED_FN vec3 unitVector(const vec3 v) {
-    SHARED_PRECISE const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    SHARED_PRECISE const vec3 unit = v / sqrt(squared);
+    const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
+    const vec3 unit = v / sqrt(squared);
     return unit;
 }
 
 // The ray through the centre of pixel (x, y); (0, 0) is top left.
 SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {
-    SHARED_PRECISE const float right = (float(x) + 0.5f) / float(camera.width) * 2.0f - 1.0f;
-    SHARED_PRECISE const float down = (float(y) + 0.5f) / float(camera.height) * 2.0f - 1.0f;
-    SHARED_PRECISE const vec3 origin = camera.eye + camera.eyeRight * right + camera.eyeDown * down;
-    SHARED_PRECISE const vec3 dir = camera.forward + camera.dirRight * right + camera.dirDown * down;
+    const float right = (float(x) + 0.5f) / float(camera.width) * 2.0f - 1.0f;
+    const float down = (float(y) + 0.5f) / float(camera.height) * 2.0f - 1.0f;
+    const vec3 origin = camera.eye + camera.eyeRight * right + camera.eyeDown * down;
+    const vec3 dir = camera.forward + camera.dirRight * right + camera.dirDown * down;
     return CameraRay(origin, unitVector(dir));
 }
 

@@ -21,9 +21,9 @@ struct GridCell {
 // The same ray and t with the grid for a lattice.
 SHARED_FN Ray inGrid(const Grid grid, const Ray ray) {
     Ray moved = ray;
-    SHARED_PRECISE const vec3 start = ray.start * grid.scale;
-    SHARED_PRECISE const vec3 stride = ray.stride * grid.scale;
-    SHARED_PRECISE const vec3 invStride = ray.invStride / grid.scale;
+    const vec3 start = ray.start * grid.scale;
+    const vec3 stride = ray.stride * grid.scale;
+    const vec3 invStride = ray.invStride / grid.scale;
     moved.start = start;
     moved.stride = stride;
     moved.invStride = invStride;
@@ -34,7 +34,7 @@ SHARED_FN Ray inGrid(const Grid grid, const Ray ray) {
 // planes: a running sum of distances would gather a rounding per cell.
 SHARED_FN BoxExit leaveCell(const Ray ray, const ivec3 cell) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
-    SHARED_PRECISE const vec3 tPlane = (vec3(mix(cell, cell + 1, upward)) - ray.start) * ray.invStride;
+    const vec3 tPlane = (vec3(mix(cell, cell + 1, upward)) - ray.start) * ray.invStride;
     const bool exitX = tPlane.x <= tPlane.y && tPlane.x <= tPlane.z;
     const bool exitY = !exitX && tPlane.y <= tPlane.z;
     const ivec3 beyond = mix(cell - 1, cell + 1, upward);

@@ -11,9 +11,10 @@
 
 #define SHARED_BEGIN namespace metamarch {
 #define SHARED_END }
+// Every shared function: in GLSL `precise`, so that what it returns is computed without contraction and
+// reassociation; C++ has that from -ffp-contract=off. (glslang follows the return value back through the
+// function, not through its inout parameters: return a struct.)
 #define SHARED_FN inline
-// GLSL's `precise`: no contraction, no reassociation. C++ has it from -ffp-contract=off.
-#define SHARED_PRECISE
 #define SHARED_ASSERT_SIZE(T, bytes)                                                                         \
     static_assert(sizeof(T) == (bytes) && std::is_trivially_copyable_v<T>,                                   \
                   #T ": layout differs from the shader's");
@@ -28,8 +29,7 @@ using glm::floatBitsToInt, glm::floatBitsToUint, glm::uintBitsToFloat;
 #else
 #define SHARED_BEGIN
 #define SHARED_END
-#define SHARED_FN
-#define SHARED_PRECISE precise
+#define SHARED_FN precise
 #define SHARED_ASSERT_SIZE(T, bytes)
 #define SHARED_ASSERT_OFFSET(T, member, bytes)
 #endif

@@ -16,7 +16,7 @@ struct KdParent {
 SHARED_FN float exitOf(const Ray ray, const KdParent node) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     const ivec3 plane = mix(unpackCell(node.lo), unpackCell(node.hi), upward);
-    SHARED_PRECISE const vec3 t = (vec3(plane) - ray.start) * ray.invStride;
+    const vec3 t = (vec3(plane) - ray.start) * ray.invStride;
     return smallest(t);
 }
 

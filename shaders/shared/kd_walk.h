@@ -11,8 +11,7 @@ SHARED_FN float component(const vec3 v, const uint axis) { return axis == 0u ? v
 
 // Where the ray crosses the plane of lattice coordinate `plane`.
 SHARED_FN float crossPlane(const Ray ray, const uint axis, const uint plane) {
-    SHARED_PRECISE const float t =
-        (float(plane) - component(ray.start, axis)) * component(ray.invStride, axis);
+    const float t = (float(plane) - component(ray.start, axis)) * component(ray.invStride, axis);
     return t;
 }
 

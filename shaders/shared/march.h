@@ -7,7 +7,7 @@ SHARED_BEGIN
 
 // The cell at distance t, kept within [lo, hi).
 SHARED_FN ivec3 cellAt(const Ray ray, const float t, const ivec3 lo, const ivec3 hi) {
-    SHARED_PRECISE const vec3 p = ray.start + ray.stride * t;
+    const vec3 p = ray.start + ray.stride * t;
     return ivec3(clamp(floor(p), vec3(lo), vec3(hi - 1))); // clamped as floats: every value converts
 }
 
@@ -21,7 +21,7 @@ struct BoxExit {
 // back: a float position could, by a rounding, and the march would then not end.
 SHARED_FN BoxExit leaveBox(const Ray ray, const ivec3 lo, const ivec3 hi, const ivec3 cell) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
-    SHARED_PRECISE const vec3 tPlane = (vec3(mix(lo, hi, upward)) - ray.start) * ray.invStride;
+    const vec3 tPlane = (vec3(mix(lo, hi, upward)) - ray.start) * ray.invStride;
     const bool exitX = tPlane.x <= tPlane.y && tPlane.x <= tPlane.z;
     const bool exitY = !exitX && tPlane.y <= tPlane.z;
     const float t = exitX ? tPlane.x : exitY ? tPlane.y : tPlane.z;

@@ -33,12 +33,11 @@ SHARED_FN PrimaryPixel shadePrimary(const Camera camera, const CameraRay view, c
     const vec3 scaled = scaledNormal(triangle.v0, triangle.v1, triangle.v2);
     // Scaled to 1 first: the square of a small triangle's normal would underflow.
     const vec3 normal = unitVector(scaled / largest(abs(scaled)));
-    SHARED_PRECISE const float cosine =
-        abs(normal.x * view.dir.x + normal.y * view.dir.y + normal.z * view.dir.z);
-    SHARED_PRECISE const float t = ray.shift + hit.t;
-    SHARED_PRECISE const float depth =
+    const float cosine = abs(normal.x * view.dir.x + normal.y * view.dir.y + normal.z * view.dir.z);
+    const float t = ray.shift + hit.t;
+    const float depth =
         t * (view.dir.x * camera.forward.x + view.dir.y * camera.forward.y + view.dir.z * camera.forward.z);
-    SHARED_PRECISE const vec3 color = material.baseColor * cosine;
+    const vec3 color = material.baseColor * cosine;
 
     PrimaryPixel pixel;
     pixel.color = color;

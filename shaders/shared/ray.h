@@ -75,9 +75,9 @@ SHARED_FN bool isWithin(const vec3 v, const float limit) {
 
 // Where the line through `start` crosses the lattice box, as (near, far); far carries the room for rounding.
 SHARED_FN vec2 crossLattice(const vec3 start, const vec3 invStride, const uvec3 resolution) {
-    SHARED_PRECISE const vec3 t0 = (vec3(0.0f) - start) * invStride;
-    SHARED_PRECISE const vec3 t1 = (vec3(resolution) - start) * invStride;
-    SHARED_PRECISE const float far = smallest(max(t0, t1)) * (1.0f + kBoxRounding);
+    const vec3 t0 = (vec3(0.0f) - start) * invStride;
+    const vec3 t1 = (vec3(resolution) - start) * invStride;
+    const float far = smallest(max(t0, t1)) * (1.0f + kBoxRounding);
     return vec2(largest(min(t0, t1)), far);
 }
 
@@ -93,26 +93,26 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     const vec3 invDir = vec3(finiteInverse(dir.x, floorSize), finiteInverse(dir.y, floorSize),
                              finiteInverse(dir.z, floorSize));
     ray.dir = clearSmall(dir, floorSize);
-    SHARED_PRECISE const vec3 stride = ray.dir * lattice.cellsPerUnit;
-    SHARED_PRECISE const vec3 invStride = invDir / lattice.cellsPerUnit;
+    const vec3 stride = ray.dir * lattice.cellsPerUnit;
+    const vec3 invStride = invDir / lattice.cellsPerUnit;
     ray.stride = stride;
     ray.invStride = invStride;
 
     // Move the origin to the box, staying before it by the rounding of the distance.
-    SHARED_PRECISE const vec3 given = (origin - lattice.origin) * lattice.cellsPerUnit;
+    const vec3 given = (origin - lattice.origin) * lattice.cellsPerUnit;
     const vec2 reach = crossLattice(given, invStride, lattice.resolution);
-    SHARED_PRECISE const float shift = max(reach.x * (1.0f - kBoxRounding), 0.0f);
-    SHARED_PRECISE const vec3 moved = origin + ray.dir * shift;
+    const float shift = max(reach.x * (1.0f - kBoxRounding), 0.0f);
+    const vec3 moved = origin + ray.dir * shift;
     ray.shift = shift;
     ray.origin = shift > 0.0f ? moved : origin;
-    SHARED_PRECISE const vec3 start = (ray.origin - lattice.origin) * lattice.cellsPerUnit;
+    const vec3 start = (ray.origin - lattice.origin) * lattice.cellsPerUnit;
     ray.start = start;
     const vec2 crossing = crossLattice(start, invStride, lattice.resolution);
     ray.tNear = max(crossing.x, 0.0f);
     ray.tFar = crossing.y;
 
-    SHARED_PRECISE const float tMinHere = max(tMin - shift, 0.0f);
-    SHARED_PRECISE const float tMaxHere = tMax - shift;
+    const float tMinHere = max(tMin - shift, 0.0f);
+    const float tMaxHere = tMax - shift;
     ray.tMin = sane ? tMinHere : 0.0f; // never NaN, so that tMax < tMin shows that the ray meets nothing
     // Geometry keeps off the faces of the lattice, so a ray that only grazes them meets nothing.
     ray.tMax = sane && reach.x <= reach.y && ray.tNear <= ray.tFar ? tMaxHere : -1.0f;
@@ -121,7 +121,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     const uint last = size.x >= size.y ? (size.x >= size.z ? 0u : 2u) : (size.y >= size.z ? 1u : 2u);
     ray.lastAxis = last;
     const vec3 along = inOrder(ray.dir, last);
-    SHARED_PRECISE const vec3 shear = vec3(along.x, along.y, 1.0f) / along.z;
+    const vec3 shear = vec3(along.x, along.y, 1.0f) / along.z;
     ray.shear = shear;
     ray.extent = lattice.extent;
     return ray;

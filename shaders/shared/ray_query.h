@@ -26,7 +26,7 @@ struct RaysPush {
 };
 
 SHARED_FN RayResult rayResult(const Ray ray, const Hit hit, const uint steps, const uint tests) {
-    SHARED_PRECISE const float t = ray.shift + hit.t;
+    const float t = ray.shift + hit.t;
     return RayResult(t, hit.triangleId, steps, tests);
 }
 

@@ -19,21 +19,21 @@ const float kNoHit = -1.0f; // every real t is positive
 // extending the available precision", Numerische Mathematik 18, 1971.
 SHARED_FN float productError(const float a, const float b, const float p) {
     const float kSplitter = 4097.0f; // 2^12 + 1 cuts a 24-bit significand in two
-    SHARED_PRECISE const float aBig = a * kSplitter;
-    SHARED_PRECISE const float aHigh = aBig - (aBig - a);
-    SHARED_PRECISE const float aLow = a - aHigh;
-    SHARED_PRECISE const float bBig = b * kSplitter;
-    SHARED_PRECISE const float bHigh = bBig - (bBig - b);
-    SHARED_PRECISE const float bLow = b - bHigh;
-    SHARED_PRECISE const float error = ((aHigh * bHigh - p) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
+    const float aBig = a * kSplitter;
+    const float aHigh = aBig - (aBig - a);
+    const float aLow = a - aHigh;
+    const float bBig = b * kSplitter;
+    const float bHigh = bBig - (bBig - b);
+    const float bLow = b - bHigh;
+    const float error = ((aHigh * bHigh - p) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
     return error;
 }
 
 // a * b - c * d within a few ulps of the result, also where the two products all but cancel.
 SHARED_FN float differenceOfProducts(const float a, const float b, const float c, const float d) {
-    SHARED_PRECISE const float ab = a * b;
-    SHARED_PRECISE const float cd = c * d;
-    SHARED_PRECISE const float difference = (ab - cd) + (productError(a, b, ab) - productError(c, d, cd));
+    const float ab = a * b;
+    const float cd = c * d;
+    const float difference = (ab - cd) + (productError(a, b, ab) - productError(c, d, cd));
     return difference;
 }
 
@@ -49,23 +49,23 @@ SHARED_FN float differenceOfProducts(const float a, const float b, const float c
 // being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
 // weights are computed again without cancellation. accel/README.md says who relies on it.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
-    SHARED_PRECISE const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
-    SHARED_PRECISE const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
-    SHARED_PRECISE const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
-    SHARED_PRECISE const float ax = a.x - ray.shear.x * a.z;
-    SHARED_PRECISE const float ay = a.y - ray.shear.y * a.z;
-    SHARED_PRECISE const float bx = b.x - ray.shear.x * b.z;
-    SHARED_PRECISE const float by = b.y - ray.shear.y * b.z;
-    SHARED_PRECISE const float cx = c.x - ray.shear.x * c.z;
-    SHARED_PRECISE const float cy = c.y - ray.shear.y * c.z;
+    const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
+    const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
+    const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
+    const float ax = a.x - ray.shear.x * a.z;
+    const float ay = a.y - ray.shear.y * a.z;
+    const float bx = b.x - ray.shear.x * b.z;
+    const float by = b.y - ray.shear.y * b.z;
+    const float cx = c.x - ray.shear.x * c.z;
+    const float cy = c.y - ray.shear.y * c.z;
 
-    SHARED_PRECISE float u = cx * by - cy * bx;
-    SHARED_PRECISE float v = ax * cy - ay * cx;
-    SHARED_PRECISE float w = bx * ay - by * ax;
+    float u = cx * by - cy * bx;
+    float v = ax * cy - ay * cx;
+    float w = bx * ay - by * ax;
     if (min(min(u, v), w) < 0.0f && max(max(u, v), w) > 0.0f) {
         return kNoHit;
     }
-    SHARED_PRECISE float det = u + v + w;
+    float det = u + v + w;
 
     const float reach = max(max(max(abs(ax), abs(ay)), max(abs(bx), abs(by))), max(abs(cx), abs(cy)));
     if (!(reach * reach * reach <= abs(det) * ray.extent)) {
@@ -81,8 +81,8 @@ SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, c
         return kNoHit; // seen edge-on: its neighbours cover what it covers
     }
 
-    SHARED_PRECISE const float depth = (u * a.z + v * b.z + w * c.z) * ray.shear.z;
-    SHARED_PRECISE const float t = depth / det;
+    const float depth = (u * a.z + v * b.z + w * c.z) * ray.shear.z;
+    const float t = depth / det;
     return t > ray.tMin ? t : kNoHit;
 }
 
@@ -92,10 +92,9 @@ const float kSmallestNormal = 7.88860905221011805e-31f; // 2^-100
 
 // The geometric normal times twice the area, towards the side from which v0, v1, v2 run counter-clockwise.
 SHARED_FN vec3 scaledNormal(const vec3 v0, const vec3 v1, const vec3 v2) {
-    SHARED_PRECISE const vec3 e1 = v1 - v0;
-    SHARED_PRECISE const vec3 e2 = v2 - v0;
-    SHARED_PRECISE const vec3 normal =
-        vec3(e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x);
+    const vec3 e1 = v1 - v0;
+    const vec3 e2 = v2 - v0;
+    const vec3 normal = vec3(e1.y * e2.z - e1.z * e2.y, e1.z * e2.x - e1.x * e2.z, e1.x * e2.y - e1.y * e2.x);
     return normal;
 }
 
