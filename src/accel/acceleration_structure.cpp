@@ -1,6 +1,7 @@
 #include "accel/acceleration_structure.h"
 
-#include "accel/meta_table.h"
+#include "accel/exit_boxes.h"
+#include "accel/leaf_merging.h"
 #include "error.h"
 #include "shared/triangle.h"
 
@@ -19,6 +20,14 @@ double lap(std::chrono::steady_clock::time_point& start) {
     const double seconds = std::chrono::duration<double>(now - start).count();
     start = now;
     return seconds;
+}
+
+MetaTable buildTable(const Lattice& lattice, const LeafList& list, const AccelerationOptions& options) {
+    MetaTable table = buildMetaTable(lattice, list.leaves);
+    if (options.exitBoxes) {
+        growExitBoxes(lattice, list, table);
+    }
+    return table;
 }
 
 glm::vec3 corner(const Scene& scene, const std::uint32_t triangleId, const int i) {
@@ -75,7 +84,17 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
     result.tree = buildKdTree(result.lattice, corners, ids, depth);
     result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
     result.treeSeconds = lap(clock);
-    result.leafOfCell = buildMetaTable(result.lattice, result.tree.leaves);
+    if (options.partition) {
+        const auto list = listTriangles(result.lattice, options.partition->boxes, corners, ids);
+        result.table = buildTable(result.lattice, list, options);
+        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+    } else if (options.mergeLeaves) {
+        const LeafList list = mergeLeaves(result.lattice, result.tree);
+        result.table = buildTable(result.lattice, list, options);
+        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+    } else {
+        result.table = buildTable(result.lattice, result.tree, options);
+    }
     result.tableSeconds = lap(clock);
     return result;
 }

@@ -2,9 +2,11 @@
 #pragma once
 #include "accel/kd_tree.h"
 #include "accel/lattice.h"
+#include "accel/meta_table.h"
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace metamarch {
@@ -13,8 +15,13 @@ struct AccelerationStructure {
     Lattice lattice;
     glm::dvec3 unit; // LatticeChoice::unit
     KdTree tree;
-    std::vector<std::uint32_t> leafOfCell; // the meta table
+    MetaTable table;
     std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles
+
+    // In the order of the table's leaves.
+    std::span<const TriangleRecord> tableTriangles() const {
+        return table.triangles.empty() ? triangles : table.triangles;
+    }
 
     std::uint32_t degenerateTriangles = 0; // of the scene, in no leaf
     double treeSeconds = 0.0;              // wall time

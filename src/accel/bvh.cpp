@@ -1,6 +1,6 @@
 #include "accel/bvh.h"
 
-#include "accel/lattice.h"
+#include "accel/triangle_box.h"
 #include "error.h"
 
 #include <tbb/parallel_for.h>
@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -24,16 +22,6 @@ constexpr double kNodeCost = 1.0;
 
 // Triangles below which one thread builds the rest.
 constexpr std::size_t kSerial = 4096;
-
-struct Box {
-    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
-    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
-
-    void grow(const Box& other) {
-        lo = glm::min(lo, other.lo);
-        hi = glm::max(hi, other.hi);
-    }
-};
 
 struct Primitive {
     Box box; // lattice space, grown by the margin
@@ -58,12 +46,8 @@ class Builder {
   public:
     Builder(const Lattice& lattice, std::span<const TriangleRecord> triangles)
         : primitives(triangles.size()), worldPerCell(1.0 / glm::dvec3(lattice.cellsPerUnit)) {
-        const glm::dvec3 margin = referenceMargin(lattice);
         tbb::parallel_for(std::size_t{0}, triangles.size(), [&](const std::size_t i) {
-            const glm::dvec3 a = toLattice(lattice, triangles[i].v0);
-            const glm::dvec3 b = toLattice(lattice, triangles[i].v1);
-            const glm::dvec3 c = toLattice(lattice, triangles[i].v2);
-            const Box box{glm::min(glm::min(a, b), c) - margin, glm::max(glm::max(a, b), c) + margin};
+            const Box box = boxOf(lattice, triangles[i]);
             primitives[i] = {box, 0.5 * (box.lo + box.hi), static_cast<std::uint32_t>(i)};
         });
     }
@@ -186,16 +170,6 @@ class Builder {
 
     glm::dvec3 worldPerCell;
 };
-
-// The next float not above (below) x.
-float roundDown(const double x) {
-    const auto rounded = static_cast<float>(x);
-    return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
-}
-float roundUp(const double x) { return -roundDown(-x); }
-
-vec3 lowCorner(const Box& box) { return {roundDown(box.lo.x), roundDown(box.lo.y), roundDown(box.lo.z)}; }
-vec3 highCorner(const Box& box) { return {roundUp(box.hi.x), roundUp(box.hi.y), roundUp(box.hi.z)}; }
 
 std::uint32_t leafChild(const std::size_t first, const std::size_t count) {
     return kBvhLeaf | static_cast<std::uint32_t>(count) << 27u | static_cast<std::uint32_t>(first);

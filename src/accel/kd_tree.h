@@ -1,19 +1,17 @@
 // The kd-tree: built on the lattice, so that every leaf is a box of whole cells.
 #pragma once
+#include "accel/leaf_list.h"
 #include "accel/triangle_clip.h"
 #include "shared/kd_node.h"
-#include "shared/scene_layout.h"
 
 #include <span>
 #include <vector>
 
 namespace metamarch {
 
-struct KdTree {
-    std::vector<KdNode> nodes; // depth-first, the root first
-    std::vector<Leaf> leaves;  // [leafId]; their triangles lie one after the other in leafTriangles
-    std::vector<std::uint32_t> leafTriangles; // triangle ids in leaf order, ascending within a leaf
-    unsigned depth = 0;                       // edges on the longest path
+struct KdTree : LeafList {
+    std::vector<KdNode> nodes; // depth-first, the root first; leaves in the same order
+    unsigned depth = 0;        // edges on the longest path
 };
 
 // The depth limit that Pharr & Humphreys suggest, 8 + 1.3 log2(n) (Physically Based Rendering, 2004,

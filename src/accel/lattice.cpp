@@ -89,7 +89,9 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     }
 
     LatticeChoice choice;
-    if (empty) {
+    if (options.partition) {
+        choice.unit = extent / glm::dvec3(options.partition->resolution);
+    } else if (empty) {
         choice.unit = extent;
     } else if (options.unit) {
         choice.unit = *options.unit;
@@ -107,7 +109,8 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
         }
         choice.unit = unitForCells(extent, cells);
     }
-    const glm::dvec3 counts = cellCounts(extent, choice.unit);
+    const glm::dvec3 counts =
+        options.partition ? glm::dvec3(options.partition->resolution) : cellCounts(extent, choice.unit);
     refuseOverLimit(counts, extent);
 
     // The rounded origin and scale are the lattice; everything else follows them. Far from the world's origin

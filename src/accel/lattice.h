@@ -23,9 +23,9 @@ struct LatticeChoice {
 };
 
 // The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
-// ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides.
-// Throws Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory)
-// for more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
+// ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides; a partition brings
+// its own resolution. Throws Error(sceneRefused) for a scene too small or too large for single precision and
+// Error(outOfMemory) for more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
                           const AccelerationOptions& options);
 

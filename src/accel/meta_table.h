@@ -1,4 +1,4 @@
-// The meta table: for every cell of the lattice the leaf it belongs to.
+// The meta table: for every cell of the lattice the leaf it belongs to, and how far a ray may go from there.
 #pragma once
 #include "shared/scene_layout.h"
 
@@ -8,7 +8,13 @@
 
 namespace metamarch {
 
-// [cellIndex] -> leaf id, for leaves that tile the lattice.
-std::vector<std::uint32_t> buildMetaTable(const Lattice& lattice, std::span<const Leaf> leaves);
+struct MetaTable {
+    std::vector<Leaf> leaves;              // [leafId], each with its exit box
+    std::vector<std::uint32_t> leafOfCell; // [cellIndex]
+    std::vector<TriangleRecord> triangles; // in the order of its leaves, where these are not the kd-tree's
+};
+
+// The table over leaves that tile the lattice. Their boxes are their exit boxes.
+MetaTable buildMetaTable(const Lattice& lattice, std::span<const Leaf> leaves);
 
 } // namespace metamarch

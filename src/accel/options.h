@@ -1,6 +1,6 @@
 // What a user may ask of tree and table.
 #pragma once
-#include <glm/glm.hpp>
+#include "accel/partition.h"
 
 #include <cstdint>
 #include <optional>
@@ -11,10 +11,13 @@ struct AccelerationOptions {
     std::optional<glm::dvec3> unit; // unit length of the lattice per axis, in scene units; > 0
     std::optional<std::uint64_t>
         cells; // wanted number of cells, where no unit is given; the lattice has about as many
-    std::optional<unsigned> treeDepth; // 0..kMaxTreeDepth
+    std::optional<unsigned> treeDepth;  // 0..kMaxTreeDepth
+    bool exitBoxes = true;              // or a ray leaves each leaf by the leaf's own box
+    bool mergeLeaves = false;           // the table's, not the kd-tree's
+    std::optional<Partition> partition{}; // marched in place of the kd-tree's leaves; it gives the resolution
 };
 
-// The paper's setting: kd-tree depth 16.
+// The paper's setting: kd-tree depth 16, and no exit boxes.
 inline constexpr unsigned kPaperTreeDepth = 16;
 
 } // namespace metamarch

@@ -12,8 +12,6 @@ namespace {
 // Below this the three sweeps together take less time than handing them out.
 constexpr std::size_t kParallelReferences = 1u << 14u;
 
-double halfArea(const glm::dvec3 size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
-
 std::optional<Split> sweepAxis(const std::span<const TriangleReference> references, const CellRange& box,
                                const glm::dvec3& cellSize, const unsigned axis) {
     const unsigned first = box.lo[axis];

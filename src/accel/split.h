@@ -31,6 +31,9 @@ constexpr double leafCost(const std::size_t references) {
     return kStepCost + static_cast<double>(references);
 }
 
+// To which the number of rays that cross a box is proportional.
+inline double halfArea(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
+
 // The cheapest split, or nothing when the node is one cell wide in every axis. Of equal costs the lowest axis
 // and plane win. J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The
 // Visual Computer 6(3), 1990; empty-space bonus after Pharr & Humphreys, Physically Based Rendering, 2004,

@@ -15,6 +15,22 @@ std::vector<TriangleRecord> uniqueTriangles(std::vector<TriangleRecord> triangle
     return triangles;
 }
 
+// Without those that come again.
+std::vector<TriangleRecord> firstOccurrences(const std::vector<TriangleRecord>& triangles) {
+    std::vector<TriangleRecord> first;
+    std::vector<bool> seen; // [triangleId]
+    for (const TriangleRecord& triangle : triangles) {
+        if (triangle.triangleId >= seen.size()) {
+            seen.resize(std::size_t{triangle.triangleId} + 1);
+        }
+        if (!seen[triangle.triangleId]) {
+            seen[triangle.triangleId] = true;
+            first.push_back(triangle);
+        }
+    }
+    return first;
+}
+
 } // namespace
 
 const std::vector<KdParent>& StructureSet::kdParents() const {
@@ -47,6 +63,13 @@ const std::vector<TriangleRecord>& StructureSet::triangles() const {
     tbb::collaborative_call_once(
         lazyTriangles.once, [&] { lazyTriangles.value = uniqueTriangles(accelerationStructure.triangles); });
     return lazyTriangles.value;
+}
+
+const std::vector<TriangleRecord>& StructureSet::spatialTriangles() const {
+    tbb::collaborative_call_once(lazySpatialTriangles.once, [&] {
+        lazySpatialTriangles.value = firstOccurrences(accelerationStructure.triangles);
+    });
+    return lazySpatialTriangles.value;
 }
 
 } // namespace metamarch

@@ -23,6 +23,8 @@ class StructureSet {
     const Bvh& bvh() const;
     const UniformGrid& uniformGrid() const;
     const std::vector<TriangleRecord>& triangles() const; // each once, ascending ids
+    // Each once, in the order of the kd-tree's leaves: what lies together in space does so here.
+    const std::vector<TriangleRecord>& spatialTriangles() const;
 
   private:
     template <class T>
@@ -37,6 +39,7 @@ class StructureSet {
     mutable Lazy<Bvh> lazyBvh;
     mutable Lazy<UniformGrid> lazyGrid;
     mutable Lazy<std::vector<TriangleRecord>> lazyTriangles;
+    mutable Lazy<std::vector<TriangleRecord>> lazySpatialTriangles;
 };
 
 } // namespace metamarch

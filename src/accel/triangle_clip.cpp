@@ -74,4 +74,24 @@ std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const Cel
     return range;
 }
 
+std::vector<RowOfCells> touchedRows(const LatticeTriangle& triangle, const glm::uvec3 resolution,
+                                    const glm::dvec3& margin) {
+    const CellRange whole{{0, 0, 0},
+                          {static_cast<std::uint16_t>(resolution.x - 1),
+                           static_cast<std::uint16_t>(resolution.y - 1),
+                           static_cast<std::uint16_t>(resolution.z - 1)}};
+    std::vector<RowOfCells> rows;
+    const auto range = touchedCells(triangle, whole, margin);
+    for (std::uint16_t z = range->lo[2]; z <= range->hi[2]; ++z) {
+        for (std::uint16_t y = range->lo[1]; y <= range->hi[1]; ++y) {
+            const CellRange row{{range->lo[0], y, z}, {range->hi[0], y, z}};
+            // What the row holds of the triangle is convex: it touches one run of cells.
+            if (const auto run = touchedCells(triangle, row, margin)) {
+                rows.push_back({run->lo[0], static_cast<std::uint16_t>(run->hi[0] + 1), y, z});
+            }
+        }
+    }
+    return rows;
+}
+
 } // namespace metamarch

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace metamarch {
 
@@ -24,5 +25,18 @@ using LatticeTriangle = std::array<glm::dvec3, 3>; // corners in lattice space
 // margin.
 std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
                                       const glm::dvec3& margin);
+
+// Cells of one row along x.
+struct RowOfCells {
+    std::uint16_t x;
+    std::uint16_t endX; // exclusive
+    std::uint16_t y;
+    std::uint16_t z;
+};
+
+// All cells of a lattice that come within `margin` of the triangle, which lies inside; rows ascend by z, then
+// y.
+std::vector<RowOfCells> touchedRows(const LatticeTriangle& triangle, glm::uvec3 resolution,
+                                    const glm::dvec3& margin);
 
 } // namespace metamarch

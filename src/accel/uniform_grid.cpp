@@ -16,14 +16,6 @@ namespace {
 constexpr double kGridDensity = 5.0;
 constexpr double kMostGridCells = 0x1p23; // 8 bytes each
 
-// Cells of one row along x that a triangle touches.
-struct RowOfCells {
-    std::uint16_t x;
-    std::uint16_t endX;
-    std::uint16_t y;
-    std::uint16_t z;
-};
-
 // Cells as near to cubes as the box allows.
 uvec3 gridResolution(const Lattice& lattice) {
     const glm::dvec3 extent = glm::dvec3(lattice.resolution) / glm::dvec3(lattice.cellsPerUnit);
@@ -31,26 +23,6 @@ uvec3 gridResolution(const Lattice& lattice) {
     const double perUnit = std::cbrt(cells / (extent.x * extent.y * extent.z));
     return uvec3(
         glm::clamp(glm::floor(extent * perUnit), glm::dvec3(1.0), glm::dvec3(kMaxLatticeResolution)));
-}
-
-std::vector<RowOfCells> touchedRows(const LatticeTriangle& triangle, const uvec3 resolution,
-                                    const glm::dvec3& margin) {
-    const CellRange whole{{0, 0, 0},
-                          {static_cast<std::uint16_t>(resolution.x - 1),
-                           static_cast<std::uint16_t>(resolution.y - 1),
-                           static_cast<std::uint16_t>(resolution.z - 1)}};
-    std::vector<RowOfCells> rows;
-    const auto range = touchedCells(triangle, whole, margin);
-    for (std::uint16_t z = range->lo[2]; z <= range->hi[2]; ++z) {
-        for (std::uint16_t y = range->lo[1]; y <= range->hi[1]; ++y) {
-            const CellRange row{{range->lo[0], y, z}, {range->hi[0], y, z}};
-            // What the row holds of the triangle is convex: it touches one run of cells.
-            if (const auto run = touchedCells(triangle, row, margin)) {
-                rows.push_back({run->lo[0], static_cast<std::uint16_t>(run->hi[0] + 1), y, z});
-            }
-        }
-    }
-    return rows;
 }
 
 } // namespace

@@ -15,6 +15,7 @@ struct Pending {
 
 } // namespace
 
+template <Invariants invariants>
 TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
@@ -34,7 +35,7 @@ TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) 
             const bool meets1 = t1.x <= t1.y;
             const bool firstIs0 = meets0 && (!meets1 || t0.x <= t1.x);
             if (meets0 && meets1) {
-                require(stackSize < kMaxBvhDepth, "the BVH is deeper than the stack");
+                require<invariants>(stackSize < kMaxBvhDepth, "the BVH is deeper than the stack");
                 stack[stackSize++] = {firstIs0 ? node.child1 : node.child0, std::max(t0.x, t1.x)};
             }
             missed = !meets0 && !meets1;
@@ -55,5 +56,8 @@ TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) 
         } while (stack[stackSize].tNear > trace.hit.t);
     }
 }
+
+template TraceResult traceBvhStack<Invariants::checked>(const Bvh&, const Ray&, HitQuery);
+template TraceResult traceBvhStack<Invariants::unchecked>(const Bvh&, const Ray&, HitQuery);
 
 } // namespace metamarch

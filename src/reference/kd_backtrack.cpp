@@ -7,6 +7,7 @@
 
 namespace metamarch {
 
+template <Invariants invariants>
 TraceResult traceKdBacktrack(const AccelerationStructure& scene, const std::span<const KdParent> parents,
                              const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
@@ -28,7 +29,7 @@ TraceResult traceKdBacktrack(const AccelerationStructure& scene, const std::span
             ++trace.steps;
             node = scene.tree.nodes[nodeId];
         }
-        require(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
+        require<invariants>(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query) || trace.hit.t <= tFar || tFar >= ray.tFar) {
@@ -45,5 +46,10 @@ TraceResult traceKdBacktrack(const AccelerationStructure& scene, const std::span
         tFar = std::min(exitOf(ray, parents[nodeId]), ray.tFar);
     }
 }
+
+template TraceResult traceKdBacktrack<Invariants::checked>(const AccelerationStructure&,
+                                                           std::span<const KdParent>, const Ray&, HitQuery);
+template TraceResult traceKdBacktrack<Invariants::unchecked>(const AccelerationStructure&,
+                                                             std::span<const KdParent>, const Ray&, HitQuery);
 
 } // namespace metamarch

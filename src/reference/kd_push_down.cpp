@@ -5,6 +5,7 @@
 
 namespace metamarch {
 
+template <Invariants invariants>
 TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
@@ -29,7 +30,7 @@ TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray, 
             ++trace.steps;
             node = scene.tree.nodes[nodeId];
         }
-        require(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
+        require<invariants>(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query) || trace.hit.t <= tFar || tFar >= ray.tFar) {
@@ -38,5 +39,9 @@ TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray, 
         tNear = tFar;
     }
 }
+
+template TraceResult traceKdPushDown<Invariants::checked>(const AccelerationStructure&, const Ray&, HitQuery);
+template TraceResult traceKdPushDown<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
+                                                            HitQuery);
 
 } // namespace metamarch

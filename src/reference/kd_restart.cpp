@@ -5,6 +5,7 @@
 
 namespace metamarch {
 
+template <Invariants invariants>
 TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
@@ -25,7 +26,7 @@ TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray, c
             ++trace.steps;
             node = scene.tree.nodes[nodeId];
         }
-        require(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
+        require<invariants>(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query) || trace.hit.t <= tFar || tFar >= ray.tFar) {
@@ -34,5 +35,9 @@ TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray, c
         tNear = tFar;
     }
 }
+
+template TraceResult traceKdRestart<Invariants::checked>(const AccelerationStructure&, const Ray&, HitQuery);
+template TraceResult traceKdRestart<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
+                                                           HitQuery);
 
 } // namespace metamarch

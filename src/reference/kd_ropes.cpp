@@ -5,6 +5,7 @@
 
 namespace metamarch {
 
+template <Invariants invariants>
 TraceResult traceKdRopes(const AccelerationStructure& scene, const std::span<const std::uint32_t> ropes,
                          const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
@@ -24,20 +25,27 @@ TraceResult traceKdRopes(const AccelerationStructure& scene, const std::span<con
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);
-        require(cell == clamp(cell, lo, hi - 1), "the rope leads to a leaf that does not hold the cell");
+        require<invariants>(cell == clamp(cell, lo, hi - 1),
+                            "the rope leads to a leaf that does not hold the cell");
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const BoxExit next = leaveBox(ray, lo, hi, cell);
         if (isDone(trace, query) || trace.hit.t <= next.t) {
             return trace;
         }
         nodeId = ropes[ropeTowards(leafOf(node), next.cell, lo, hi)];
-        require((nodeId == kNoRope) == !isInLattice(next.cell, scene.lattice.resolution),
-                "the ropes do not end at the faces of the lattice");
+        require<invariants>((nodeId == kNoRope) == !isInLattice(next.cell, scene.lattice.resolution),
+                            "the ropes do not end at the faces of the lattice");
         if (nodeId == kNoRope) {
             return trace;
         }
         cell = next.cell;
     }
 }
+
+template TraceResult traceKdRopes<Invariants::checked>(const AccelerationStructure&,
+                                                       std::span<const std::uint32_t>, const Ray&, HitQuery);
+template TraceResult traceKdRopes<Invariants::unchecked>(const AccelerationStructure&,
+                                                         std::span<const std::uint32_t>, const Ray&,
+                                                         HitQuery);
 
 } // namespace metamarch

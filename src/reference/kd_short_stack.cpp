@@ -18,6 +18,7 @@ struct Pending {
 
 } // namespace
 
+template <Invariants invariants>
 TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
@@ -48,7 +49,7 @@ TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray
             ++trace.steps;
             node = scene.tree.nodes[nodeId];
         }
-        require(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
+        require<invariants>(tFar > tNear || tFar >= ray.tFar, "the walk did not move on");
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query) || trace.hit.t <= tFar || tFar >= ray.tFar) {
@@ -67,5 +68,10 @@ TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray
         }
     }
 }
+
+template TraceResult traceKdShortStack<Invariants::checked>(const AccelerationStructure&, const Ray&,
+                                                            HitQuery);
+template TraceResult traceKdShortStack<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
+                                                              HitQuery);
 
 } // namespace metamarch

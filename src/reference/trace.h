@@ -2,6 +2,7 @@
 // test and must name the same triangle at the same t, to the bit.
 #pragma once
 #include "accel/acceleration_structure.h"
+#include "reference/require.h"
 #include "shared/ray.h"
 #include "shared/triangle.h"
 
@@ -28,7 +29,8 @@ TraceResult traceBruteForce(std::span<const TriangleRecord> triangles, const Ray
 TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
 
 // The march through the meta table, step for step what shaders/traversal/meta_table.glsl does. Throws
-// std::logic_error where an invariant of the march is broken.
+// std::logic_error where an invariant of the march is checked and broken.
+template <Invariants invariants = Invariants::checked>
 TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
 
 } // namespace metamarch

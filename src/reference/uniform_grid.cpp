@@ -5,6 +5,7 @@
 
 namespace metamarch {
 
+template <Invariants invariants>
 TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
@@ -15,7 +16,7 @@ TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQ
     const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
     ivec3 cell = cellAt(gridRay, ray.tNear, ivec3(0), ivec3(resolution));
     while (true) {
-        require(trace.steps < mostSteps, "the walk did not end");
+        require<invariants>(trace.steps < mostSteps, "the walk did not end");
         ++trace.steps;
         const GridCell& content = grid.cells[cellIndex(cell, resolution)];
         testTriangles(grid.triangles, ray, content.firstTriangle, content.triangleCount, trace);
@@ -26,5 +27,8 @@ TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQ
         cell = next.cell;
     }
 }
+
+template TraceResult traceUniformGrid<Invariants::checked>(const UniformGrid&, const Ray&, HitQuery);
+template TraceResult traceUniformGrid<Invariants::unchecked>(const UniformGrid&, const Ray&, HitQuery);
 
 } // namespace metamarch

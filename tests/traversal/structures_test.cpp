@@ -76,6 +76,23 @@ TEST_P(Structures, holdTheSolidTriangles) {
     EXPECT_EQ(inBvh, solid);
 }
 
+// What the driver's hierarchy is fed: every triangle once, where it first comes in the leaves.
+TEST_P(Structures, spatialTrianglesAreInTheOrderOfTheLeaves) {
+    std::set<std::uint32_t> seen;
+    std::vector<std::uint32_t> expected;
+    for (const std::uint32_t id : structure.tree.leafTriangles) {
+        if (seen.insert(id).second) {
+            expected.push_back(id);
+        }
+    }
+    std::vector<std::uint32_t> found;
+    for (const TriangleRecord& record : structures.spatialTriangles()) {
+        found.push_back(record.triangleId);
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(found.size(), solidTriangles(scene).size());
+}
+
 // Every child's box holds its triangles with the margin, and the tree is no deeper than the stack.
 TEST_P(Structures, bvhBoxesHoldTheirTriangles) {
     const Bvh& bvh = structures.bvh();
@@ -170,7 +187,7 @@ TEST_P(Structures, ropesLeadToTheNeighbours) {
                         nodeId = childWithCell(nodeId, tree.nodes[nodeId], cell);
                     }
                     ASSERT_EQ(leafOf(tree.nodes[nodeId]),
-                              structure.leafOfCell[cellIndex(cell, lattice.resolution)]);
+                              structure.table.leafOfCell[cellIndex(cell, lattice.resolution)]);
                 }
             }
         }

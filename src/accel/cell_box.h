@@ -1,0 +1,14 @@
+// A box of whole cells.
+#pragma once
+#include "shared/scene_layout.h"
+
+namespace metamarch {
+
+struct CellBox {
+    ivec3 lo;
+    ivec3 hi; // exclusive
+};
+
+inline CellBox boxOf(const Leaf& leaf) { return {unpackCell(leaf.lo), unpackCell(leaf.hi)}; }
+
+} // namespace metamarch

@@ -1,0 +1,94 @@
+#include "accel/exit_boxes.h"
+
+#include "accel/cell_box.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+
+namespace metamarch {
+namespace {
+
+// Looks into the table that one leaf may take; one that needs more keeps the box it has by then. Measured on
+// scenes of 70,000 to 200,000 triangles: 256 are all but enough, 1024 are, in steps per ray.
+constexpr unsigned kMostLooks = 1024;
+
+constexpr unsigned kFaces = 6;
+
+class Growth {
+  public:
+    Growth(const Lattice& lattice, const LeafList& usedList, std::span<const std::uint32_t> table)
+        : resolution(lattice.resolution), list(usedList), leafOfCell(table) {}
+
+    // Moves the faces out in turn, each as far as the leaves behind it allow. A face that is held stays so:
+    // the larger the box, the more leaves lie behind it.
+    CellBox grow(const Leaf& leaf) const {
+        CellBox box = boxOf(leaf);
+        unsigned looks = 0;
+        std::array<bool, kFaces> held{};
+        while (!std::ranges::all_of(held, std::identity())) {
+            for (unsigned face = 0; face < kFaces; ++face) {
+                const int axis = static_cast<int>(face / 2);
+                const bool above = face % 2 == 1;
+                const int layers = held[face] ? 0 : freeLayers(leaf, box, axis, above, looks);
+                held[face] = layers == 0;
+                (above ? box.hi : box.lo)[axis] += above ? layers : -layers;
+            }
+        }
+        return box;
+    }
+
+  private:
+    // How many layers of cells behind a face of the box belong to leaves with no other triangles than `leaf`.
+    int freeLayers(const Leaf& leaf, const CellBox& box, const int axis, const bool above,
+                   unsigned& looks) const {
+        const int first = above ? box.hi[axis] : box.lo[axis] - 1;
+        if (first < 0 || first >= resolution[axis]) {
+            return 0;
+        }
+        const int u = (axis + 1) % 3;
+        const int v = (axis + 2) % 3;
+        int layers = resolution[axis];
+        ivec3 cell;
+        cell[axis] = first;
+        // A leaf behind the face is passed at once, and of the rows those in which no leaf begins.
+        for (cell[v] = box.lo[v]; cell[v] < box.hi[v];) {
+            int nextRow = box.hi[v];
+            for (cell[u] = box.lo[u]; cell[u] < box.hi[u];) {
+                const Leaf& behind = list.leaves[leafOfCell[cellIndex(cell, uvec3(resolution))]];
+                if (++looks > kMostLooks || !holdsAllOf(leaf, behind)) {
+                    return 0;
+                }
+                const auto [lo, hi] = boxOf(behind);
+                layers = std::min(layers, above ? hi[axis] - first : first + 1 - lo[axis]);
+                nextRow = std::min(nextRow, hi[v]);
+                cell[u] = hi[u];
+            }
+            cell[v] = nextRow;
+        }
+        return layers;
+    }
+
+    bool holdsAllOf(const Leaf& leaf, const Leaf& other) const {
+        return other.triangleCount <= leaf.triangleCount &&
+               std::ranges::includes(list.trianglesOf(leaf), list.trianglesOf(other));
+    }
+
+    ivec3 resolution;
+    const LeafList& list;
+    std::span<const std::uint32_t> leafOfCell;
+};
+
+} // namespace
+
+void growExitBoxes(const Lattice& lattice, const LeafList& list, MetaTable& table) {
+    const Growth growth(lattice, list, table.leafOfCell);
+    tbb::parallel_for(std::size_t{0}, list.leaves.size(), [&](const std::size_t leafId) {
+        const CellBox box = growth.grow(list.leaves[leafId]);
+        table.leaves[leafId].lo = packCell(uvec3(box.lo));
+        table.leaves[leafId].hi = packCell(uvec3(box.hi));
+    });
+}
+
+} // namespace metamarch

@@ -1,0 +1,27 @@
+// Boxes around triangles, for hierarchies of boxes: in lattice space, so much larger that no rounding on the
+// way from a ray to a box can lose a hit.
+#pragma once
+#include "shared/scene_layout.h"
+
+#include <limits>
+
+namespace metamarch {
+
+struct Box {
+    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
+    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+
+    void grow(const Box& other) {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
+};
+
+// The triangle's box, grown by the lattice's referenceMargin.
+Box boxOf(const Lattice& lattice, const TriangleRecord& triangle);
+
+// The corners in single precision, rounded outwards.
+vec3 lowCorner(const Box& box);
+vec3 highCorner(const Box& box);
+
+} // namespace metamarch

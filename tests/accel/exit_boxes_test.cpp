@@ -1,0 +1,152 @@
+// A ray leaves a tested leaf by its exit box: whatever it could have met in there must have been tested.
+#include "accel/acceleration_structure.h"
+#include "accel/cell_box.h"
+#include "accel/exit_boxes.h"
+#include "accel/overlap.h"
+#include "fixtures/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace metamarch::tests {
+namespace {
+
+struct BoxCase {
+    const char* name;
+    Scene (*make)();
+    AccelerationOptions options;
+};
+
+void PrintTo(const BoxCase& boxCase, std::ostream* out) { *out << boxCase.name; }
+
+Scene sphereOnPlane() {
+    Scene scene;
+    addSphere(scene, {0, 1, 0}, 1.0f, 24, 12);
+    addPlane(scene, 0.0f, 100.0f);
+    return scene;
+}
+
+const BoxCase kCases[] = {
+    {"empty", [] { return Scene{}; }, {}},
+    {"unit_cube_integer_planes", unitCube, {glm::dvec3(0.125), {}, {}}},
+    {"soup", [] { return triangleSoup(600, 1); }, {}},
+    {"soup_anisotropic", [] { return triangleSoup(600, 1); }, {glm::dvec3(0.01, 0.3, 0.05), {}, {}}},
+    {"sphere_on_plane", sphereOnPlane, {}},
+};
+
+class ExitBoxes : public testing::TestWithParam<BoxCase> {
+  protected:
+    const Scene scene = GetParam().make();
+    const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);
+    const std::vector<Leaf>& leaves = structure.tree.leaves;
+    const std::vector<Leaf>& grown = structure.table.leaves;
+
+    std::span<const std::uint32_t> trianglesOf(const Leaf& leaf) const {
+        return structure.tree.trianglesOf(leaf);
+    }
+
+    // Whether no cell of the box belongs to a leaf with a triangle that `leaf` lacks.
+    bool holdsAllIn(const Leaf& leaf, const CellBox& box) const {
+        for (ivec3 cell = box.lo; cell.z < box.hi.z; ++cell.z) {
+            for (cell.y = box.lo.y; cell.y < box.hi.y; ++cell.y) {
+                for (cell.x = box.lo.x; cell.x < box.hi.x; ++cell.x) {
+                    const Leaf& other =
+                        leaves[structure.table.leafOfCell[cellIndex(cell, structure.lattice.resolution)]];
+                    if (!std::ranges::includes(trianglesOf(leaf), trianglesOf(other))) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+};
+
+TEST_P(ExitBoxes, holdTheirLeaves) {
+    ASSERT_EQ(grown.size(), leaves.size());
+    for (std::size_t leafId = 0; leafId < leaves.size(); ++leafId) {
+        const CellBox own = boxOf(leaves[leafId]);
+        const CellBox exit = boxOf(grown[leafId]);
+        ASSERT_TRUE(glm::all(glm::lessThanEqual(exit.lo, own.lo)));
+        ASSERT_TRUE(glm::all(glm::greaterThanEqual(exit.hi, own.hi)));
+        ASSERT_TRUE(glm::all(glm::greaterThanEqual(exit.lo, ivec3(0))));
+        ASSERT_TRUE(glm::all(glm::lessThanEqual(exit.hi, ivec3(structure.lattice.resolution))));
+        EXPECT_EQ(grown[leafId].firstTriangle, leaves[leafId].firstTriangle);
+        EXPECT_EQ(grown[leafId].triangleCount, leaves[leafId].triangleCount);
+    }
+}
+
+// By the judge of overlaps, which knows neither clipping nor leaves.
+TEST_P(ExitBoxes, meetNoTriangleThatTheirLeavesLack) {
+    const glm::dvec3 margin = referenceMargin(structure.lattice) * (1.0 - kMarginRounding);
+    for (const std::uint32_t id : solidTriangles(scene)) {
+        LatticeTriangle triangle;
+        for (int corner = 0; corner < 3; ++corner) {
+            triangle[static_cast<std::size_t>(corner)] =
+                toLattice(structure.lattice, scene.positions[scene.triangles[id][corner]]);
+        }
+        for (const Leaf& leaf : grown) {
+            const CellBox exit = boxOf(leaf);
+            ASSERT_TRUE(std::ranges::binary_search(trianglesOf(leaf), id) ||
+                        !overlaps(triangle, {glm::dvec3(exit.lo) - margin, glm::dvec3(exit.hi) + margin}))
+                << "triangle " << id << " comes near the exit box of leaf " << &leaf - grown.data();
+        }
+    }
+}
+
+// Every face is held: one layer further lies a triangle that the leaf lacks, or the lattice ends.
+TEST_P(ExitBoxes, reachAsFarAsTheyMay) {
+    const ivec3 resolution(structure.lattice.resolution);
+    for (const Leaf& leaf : grown) {
+        const CellBox exit = boxOf(leaf);
+        ASSERT_TRUE(holdsAllIn(leaf, exit));
+        for (int axis = 0; axis < 3; ++axis) {
+            CellBox below = exit;
+            below.hi[axis] = exit.lo[axis];
+            below.lo[axis] = exit.lo[axis] - 1;
+            EXPECT_TRUE(exit.lo[axis] == 0 || !holdsAllIn(leaf, below));
+            CellBox above = exit;
+            above.lo[axis] = exit.hi[axis];
+            above.hi[axis] = exit.hi[axis] + 1;
+            EXPECT_TRUE(exit.hi[axis] == resolution[axis] || !holdsAllIn(leaf, above));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ExitBoxes, testing::ValuesIn(kCases),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+Leaf leafOver(const uvec3 lo, const uvec3 hi, const std::uint32_t first, const std::uint32_t count) {
+    return {packCell(lo), packCell(hi), first, count};
+}
+
+// Five leaves in a row: {7}, none, {7, 9}, {9}, none.
+TEST(ExitBoxRow, endsAtTheFirstTriangleThatIsNotItsOwn) {
+    Lattice lattice{};
+    lattice.resolution = uvec3(10, 1, 1);
+    lattice.cellCount = 10;
+    const LeafList list{{leafOver({0, 0, 0}, {2, 1, 1}, 0, 1), leafOver({2, 0, 0}, {4, 1, 1}, 1, 0),
+                         leafOver({4, 0, 0}, {6, 1, 1}, 1, 2), leafOver({6, 0, 0}, {8, 1, 1}, 3, 1),
+                         leafOver({8, 0, 0}, {10, 1, 1}, 4, 0)},
+                        {7, 7, 9, 9}};
+    MetaTable table = buildMetaTable(lattice, list.leaves);
+    growExitBoxes(lattice, list, table);
+    const std::pair<int, int> expected[] = {{0, 4}, {2, 4}, {0, 10}, {6, 10}, {8, 10}};
+    for (std::size_t leafId = 0; leafId < list.leaves.size(); ++leafId) {
+        const auto [lo, hi] = boxOf(table.leaves[leafId]);
+        EXPECT_EQ(std::pair(lo.x, hi.x), expected[leafId]) << "leaf " << leafId;
+    }
+}
+
+TEST(ExitBoxOption, leavesTheLeavesTheirOwnBoxes) {
+    AccelerationOptions options;
+    options.exitBoxes = false;
+    const AccelerationStructure structure = buildAccelerationStructure(triangleSoup(600, 1), options);
+    EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(structure.table.leaves)),
+                                   std::as_bytes(std::span(structure.tree.leaves))));
+}
+
+} // namespace
+} // namespace metamarch::tests
