@@ -1,5 +1,7 @@
 #include "scene/gltf_accessor.h"
 
+#include "scene/gltf_buffer.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -100,33 +102,20 @@ bool GltfAccessor::hasUnsignedIntegers() const { return isUnsignedInteger(compon
 GltfAccessor::Span GltfAccessor::checkedSpan(const tinygltf::Model& model, int view, std::uint64_t offset,
                                              std::uint64_t count, std::uint64_t elementSize) const {
     const std::string viewLabel = "buffer view " + std::to_string(view);
-    if (view < 0 || static_cast<std::size_t>(view) >= model.bufferViews.size())
-        refuse(viewLabel + " does not exist, there are " + std::to_string(model.bufferViews.size()));
+    const std::span<const unsigned char> bytes = bytesOfView(model, file_, label_, view);
     const tinygltf::BufferView& source = model.bufferViews[static_cast<std::size_t>(view)];
-    if (source.buffer < 0 || static_cast<std::size_t>(source.buffer) >= model.buffers.size())
-        refuse(viewLabel + ": buffer " + std::to_string(source.buffer) + " does not exist, there are " +
-               std::to_string(model.buffers.size()));
-
-    const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(source.buffer)].data;
-    const std::uint64_t viewOffset = source.byteOffset;
-    const std::uint64_t viewLength = source.byteLength;
-    if (viewOffset > bytes.size() || viewLength > bytes.size() - viewOffset)
-        refuse(viewLabel + " reaches past the end of buffer " + std::to_string(source.buffer) + " (offset " +
-               std::to_string(viewOffset) + ", length " + std::to_string(viewLength) + ", buffer " +
-               std::to_string(bytes.size()) + " bytes)");
-
     const std::uint64_t stride = source.byteStride == 0 ? elementSize : source.byteStride;
     if (stride < elementSize)
         refuse(viewLabel + ": stride " + std::to_string(stride) + " is less than an element of " +
                std::to_string(elementSize) + " bytes");
-    // viewLength is at most a real buffer's size; dividing keeps count and offset, which may be anything,
-    // from wrapping.
-    if (offset > viewLength || viewLength - offset < elementSize ||
-        (viewLength - offset - elementSize) / stride < count - 1)
+    // The view's length is at most a real buffer's size; dividing keeps count and offset, which may be
+    // anything, from wrapping.
+    if (offset > bytes.size() || bytes.size() - offset < elementSize ||
+        (bytes.size() - offset - elementSize) / stride < count - 1)
         refuse(viewLabel + ": " + std::to_string(count) + " elements at offset " + std::to_string(offset) +
-               " with stride " + std::to_string(stride) + " reach past its " + std::to_string(viewLength) +
+               " with stride " + std::to_string(stride) + " reach past its " + std::to_string(bytes.size()) +
                " bytes");
-    return {bytes.data() + viewOffset + offset, stride};
+    return {bytes.data() + offset, stride};
 }
 
 void GltfAccessor::readSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
@@ -190,6 +179,15 @@ double GltfAccessor::component(std::uint64_t i, int c) const {
 
 glm::dvec4 GltfAccessor::vec4(std::uint64_t i) const {
     return {component(i, 0), component(i, 1), component(i, 2), component(i, 3)};
+}
+
+glm::dmat4 GltfAccessor::mat4(std::uint64_t i) const {
+    glm::dmat4 matrix;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row)
+            matrix[column][row] = component(i, 4 * column + row);
+    }
+    return matrix;
 }
 
 std::uint32_t GltfAccessor::index(std::uint64_t i) const {

@@ -1,4 +1,4 @@
-// The checked reader of glTF accessors: the one place that touches buffer bytes.
+// The checked reader of glTF accessors.
 #pragma once
 #include "scene/scene_file.h"
 
@@ -24,9 +24,12 @@ class GltfAccessor {
     bool hasUnsignedIntegers() const;
 
     // Element `i < count()`. Normalised integers come in [0, 1] or [-1, 1], others as they are.
+    double component(std::uint64_t i, int c) const;
+    double scalar(std::uint64_t i) const { return component(i, 0); }
     glm::dvec2 vec2(std::uint64_t i) const { return {component(i, 0), component(i, 1)}; }
     glm::dvec3 vec3(std::uint64_t i) const { return {component(i, 0), component(i, 1), component(i, 2)}; }
     glm::dvec4 vec4(std::uint64_t i) const;
+    glm::dmat4 mat4(std::uint64_t i) const;
     std::uint32_t index(std::uint64_t i) const; // of a scalar accessor with unsigned integers
 
   private:
@@ -40,7 +43,6 @@ class GltfAccessor {
                      std::uint64_t elementSize) const;
     void readSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
     const unsigned char* element(std::uint64_t i) const;
-    double component(std::uint64_t i, int c) const;
     [[noreturn]] void refuse(const std::string& what) const;
 
     const SceneFile& file_;

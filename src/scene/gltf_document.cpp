@@ -1,7 +1,9 @@
 #include "scene/gltf_document.h"
 
 #include "scene/glb_container.h"
+#include "scene/gltf_draco.h"
 #include "scene/gltf_extension.h"
+#include "scene/gltf_meshopt.h"
 #include "scene/gltf_uri.h"
 
 #include <nlohmann/json.hpp>
@@ -23,9 +25,14 @@ constexpr int kMaxJsonDepth = 64;
 constexpr std::array<std::string_view, 4> kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
 constexpr std::uint64_t kMaxSize = std::uint64_t{1} << 53;
 
-constexpr std::array<std::string_view, 14> kIndexKeys = {
+constexpr std::array<std::string_view, 13> kIndexKeys = {
     "attributes", "buffer", "bufferView", "camera", "children", "componentType", "indices",
-    "material",   "mesh",   "mode",       "nodes",  "scene",    "skin",          "joints"};
+    "material",   "mesh",   "mode",       "nodes",  "scene",    "skin"};
+
+// What GltfElement reads instead of tinygltf, and what both read: for the extensions.
+constexpr std::array<const char*, 7> kElementKeys = {"animations", "extensions", "images",  "materials",
+                                                     "samplers",   "skins",      "textures"};
+constexpr std::array<const char*, 3> kSharedKeys = {"bufferViews", "meshes", "nodes"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& keys, std::string_view key) {
@@ -54,10 +61,9 @@ void checkIntegers(const SceneFile& file, const Json& value, std::string_view ke
     if (value.is_object()) {
         const bool namesIndices = key == "attributes";
         for (const auto& [name, member] : value.items()) {
-            if (name != "extensions")
-                checkIntegers(file, member,
-                              namesIndices && !member.is_structured() ? key : std::string_view(name),
-                              where.empty() ? name : where + '.' + name);
+            checkIntegers(file, member,
+                          namesIndices && !member.is_structured() ? key : std::string_view(name),
+                          where.empty() ? name : where + '.' + name);
         }
     } else if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i)
@@ -101,24 +107,52 @@ void checkExtensions(SceneFile& file, const Json& root) {
         file.warn("extensionsUsed: ignoring " + unknown);
 }
 
-// Makes every buffer's URI one that tinygltf reads as intended, or refuses it.
+// Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for the
+// decoded bytes of others has none to read: one byte takes its place.
 void checkBufferUris(const SceneFile& file, Json& root) {
     const auto buffers = root.find("buffers");
-    if (buffers == root.end() || !buffers->is_array())
+    if (buffers == root.end())
         return;
     for (std::size_t i = 0; i < buffers->size(); ++i) {
         Json& buffer = (*buffers)[i];
-        if (buffer.is_object() && buffer.contains("uri"))
+        const Json* meshopt = canDecompressMeshopt() ? meshoptExtension(buffer) : nullptr;
+        if (meshopt != nullptr && meshopt->value("fallback", false))
+            buffer = {{"byteLength", 1u}, {"uri", "data:application/octet-stream;base64,AA=="}};
+        else if (buffer.contains("uri"))
             buffer["uri"] =
                 checkedBufferUri(file, "buffer " + std::to_string(i), buffer["uri"].get<std::string>());
+    }
+}
+
+// tinygltf wants the indices of a primitive in a buffer view even where they are compressed.
+void eraseCompressedIndices(Json& root) {
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end())
+        return;
+    for (Json& mesh : *meshes) {
+        const auto primitives = mesh.find("primitives");
+        for (std::size_t i = 0; primitives != mesh.end() && i < primitives->size(); ++i) {
+            Json& primitive = primitives->at(i);
+            if (primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer))
+                primitive.erase("indices");
+        }
+    }
+}
+
+void eraseExtensions(Json& value) {
+    if (value.is_object())
+        value.erase("extensions");
+    for (Json& member : value) {
+        if (member.is_structured())
+            eraseExtensions(member);
     }
 }
 
 // Elements that must be objects; a member of a wrong type would otherwise throw deep inside a library,
 // unnamed.
 void checkObjects(const SceneFile& file, const Json& root) {
-    for (const char* key :
-         {"accessors", "buffers", "bufferViews", "cameras", "materials", "meshes", "nodes", "scenes"}) {
+    for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
+                            "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
         const auto elements = root.find(key);
         if (elements == root.end())
             continue;
@@ -128,20 +162,39 @@ void checkObjects(const SceneFile& file, const Json& root) {
     }
 }
 
-std::string checkedJson(SceneFile& file, Json root) {
+// Moves what tinygltf need not see out of `root`, and returns it.
+Json takeElements(Json& root) {
+    Json elements = Json::object();
+    for (const char* key : kElementKeys) {
+        if (const auto found = root.find(key); found != root.end()) {
+            elements[key] = std::move(*found);
+            root.erase(found);
+        }
+    }
+    for (const char* key : kSharedKeys) {
+        if (const auto found = root.find(key); found != root.end())
+            elements[key] = *found;
+    }
+    return elements;
+}
+
+// The elements, and in `text` what is left for tinygltf.
+Json checkedJson(SceneFile& file, Json root, std::string& text) {
     checkVersion(file, root);
     checkExtensions(file, root);
-    for (const char* unread : {"animations", "extensions", "images", "samplers", "skins", "textures"})
-        root.erase(unread);
     checkObjects(file, root);
-    checkIntegers(file, root, "", "");
+    Json elements = takeElements(root);
     checkBufferUris(file, root);
-    return root.dump();
+    eraseCompressedIndices(root);
+    eraseExtensions(root);
+    checkIntegers(file, root, "", "");
+    text = root.dump();
+    return elements;
 }
 
 } // namespace
 
-tinygltf::Model readGltf(SceneFile& file) {
+GltfDocument readGltf(SceneFile& file) {
     std::vector<unsigned char> bytes = file.read();
     const bool binary = isGlb(bytes);
     const ByteRange json = binary ? glbJson(file, bytes) : ByteRange{0, bytes.size()};
@@ -150,20 +203,21 @@ tinygltf::Model readGltf(SceneFile& file) {
 
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(readOnlyBeside(file));
-    tinygltf::Model model;
+    GltfDocument document;
     std::string errors;
     std::string warnings;
     bool parsed = false;
     try {
-        const std::string checked =
-            checkedJson(file, parseJson(file, bytes.data() + json.begin, bytes.data() + json.end));
+        std::string checked;
+        document.json =
+            checkedJson(file, parseJson(file, bytes.data() + json.begin, bytes.data() + json.end), checked);
         const std::string folder = file.path().parent_path().string();
         if (binary) {
             replaceGlbJson(file, bytes, json, checked);
-            parsed = parser.LoadBinaryFromMemory(&model, &errors, &warnings, bytes.data(),
+            parsed = parser.LoadBinaryFromMemory(&document.model, &errors, &warnings, bytes.data(),
                                                  static_cast<unsigned int>(bytes.size()), folder);
         } else {
-            parsed = parser.LoadASCIIFromString(&model, &errors, &warnings, checked.data(),
+            parsed = parser.LoadASCIIFromString(&document.model, &errors, &warnings, checked.data(),
                                                 static_cast<unsigned int>(checked.size()), folder);
         }
     } catch (const Json::exception& failure) {
@@ -172,7 +226,9 @@ tinygltf::Model readGltf(SceneFile& file) {
     // tinygltf goes on after some errors, for one by dropping the primitive it was in.
     if (!parsed || !errors.empty())
         file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
-    return model;
+    decompressMeshopt(document, file);
+    decompressDraco(document, file);
+    return document;
 }
 
 } // namespace metamarch

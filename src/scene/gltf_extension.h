@@ -4,8 +4,7 @@
 
 namespace metamarch {
 
-// True for extensions that are read, and for those about looks alone, which leave the geometry right when
-// they are not.
+// True for extensions that are read, and for those that say nothing of the scene.
 bool isSupportedExtension(const std::string& name);
 
 } // namespace metamarch

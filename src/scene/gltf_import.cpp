@@ -1,15 +1,21 @@
 #include "scene/gltf_import.h"
 
-#include "scene/gltf_accessor.h"
+#include "scene/choice.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_camera.h"
 #include "scene/gltf_document.h"
+#include "scene/gltf_instancing.h"
+#include "scene/gltf_light.h"
 #include "scene/gltf_material.h"
+#include "scene/gltf_mesh.h"
 #include "scene/gltf_node.h"
-#include "scene/gltf_primitive.h"
+#include "scene/gltf_skin.h"
+#include "scene/gltf_texture.h"
+#include "scene/instance_writer.h"
+#include "scene/texture_loader.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace metamarch {
@@ -17,102 +23,153 @@ namespace {
 
 class GltfImporter {
   public:
-    GltfImporter(const tinygltf::Model& model, SceneFile& file, double scale)
-        : model_(model), file_(file), scale_(scale) {}
+    GltfImporter(const GltfDocument& document, SceneFile& file, const ImportOptions& options)
+        : document_(document), file_(file), options_(options), root_(file, "", &document.json),
+          nodes_(root_.objects("nodes", "node")) {
+        if (const auto lights = root_.extension("KHR_lights_punctual"))
+            lights_ = lights->objects("lights", "light");
+        if (const auto variants = root_.extension("KHR_materials_variants")) {
+            for (const GltfElement& variant : variants->objects("variants", "variant"))
+                scene_.variants.push_back(variant.text("name"));
+        }
+    }
 
     Scene import() {
-        for (const tinygltf::Material& material : model_.materials)
-            scene_.materials.push_back(readMaterial(material));
-        const glm::dmat4 root = glm::scale(glm::dmat4(1.0), glm::dvec3(scale_));
-        for (const PlacedNode& placed : placeNodes(model_, file_, root)) {
-            const auto index = static_cast<std::size_t>(placed.node);
-            const tinygltf::Node& node = model_.nodes[index];
-            const std::string label = elementName("node", node.name, index);
-            if (node.camera >= 0)
-                addCamera(node, label, placed.toWorld);
-            if (node.mesh >= 0)
-                addMesh(node, label, placed.toWorld);
+        const GltfTextures textures(document_, file_);
+        scene_.textures = textures.textures();
+        readMaterials(textures);
+        const glm::dmat4 root = glm::scale(glm::dmat4(1.0), glm::dvec3(scale()));
+        const std::vector<PlacedNode> placed = placeNodes(document_.model, file_, root);
+        const GltfMeshes meshes(document_, file_, texCoordSets_, variant());
+        const GltfSkins skins(document_, file_, placed);
+        for (const PlacedNode& place : placed) {
+            addCamera(place);
+            addLight(place);
+            addMesh(place, meshes, skins);
         }
+        loadTextures(scene_, file_, textures.sources(), options_.allowMissingTextures);
         return std::move(scene_);
     }
 
   private:
-    void addCamera(const tinygltf::Node& node, const std::string& label, const glm::dmat4& toWorld) {
-        const auto index = static_cast<std::size_t>(node.camera);
-        if (index >= model_.cameras.size())
+    double scale() const { return static_cast<double>(options_.scale); }
+
+    std::optional<int> variant() const {
+        if (options_.variant.empty())
+            return std::nullopt;
+        return static_cast<int>(chooseIndex("variant", scene_.variants, options_.variant));
+    }
+
+    const tinygltf::Node& node(const PlacedNode& place) const {
+        return document_.model.nodes[static_cast<std::size_t>(place.node)];
+    }
+
+    const GltfElement& element(const PlacedNode& place) const {
+        return nodes_[static_cast<std::size_t>(place.node)];
+    }
+
+    void readMaterials(const GltfTextures& textures) {
+        for (const GltfElement& source : root_.objects("materials", "material")) {
+            GltfMaterial read = readMaterial(source, textures, scale());
+            scene_.materials.push_back(std::move(read.material));
+            texCoordSets_.push_back(read.texCoordSets);
+        }
+    }
+
+    void addCamera(const PlacedNode& place) {
+        if (node(place).camera < 0)
+            return;
+        const std::string& label = element(place).label();
+        const auto index = static_cast<std::size_t>(node(place).camera);
+        if (index >= document_.model.cameras.size())
             file_.refuse(label + ": camera " + std::to_string(index) + " does not exist, there are " +
-                         std::to_string(model_.cameras.size()));
-        const tinygltf::Camera& source = model_.cameras[index];
-        std::optional<SceneCamera> camera = readCamera(source, toWorld, scale_);
+                         std::to_string(document_.model.cameras.size()));
+        const tinygltf::Camera& source = document_.model.cameras[index];
+        std::optional<SceneCamera> camera = readCamera(source, place.toWorld, scale());
         if (!camera) {
             file_.warn(elementName("camera", source.name, index) + " at " + label +
                        " shows nothing and is left out");
             return;
         }
-        camera->name = !source.name.empty() ? source.name : node.name;
+        camera->name = !source.name.empty() ? source.name : node(place).name;
         scene_.cameras.push_back(std::move(*camera));
     }
 
-    void addMesh(const tinygltf::Node& node, const std::string& label, const glm::dmat4& toWorld) {
-        const std::string mesh = meshLabel(model_, file_, label, node.mesh);
-        if (node.skin >= 0)
-            file_.warn(mesh + ": the skin is ignored, it stands in its bind pose");
-        if (std::any_of(node.weights.begin(), node.weights.end(),
-                        [](double weight) { return weight != 0.0; }))
-            file_.warn(mesh + ": morph targets are ignored");
-        for (const glm::dmat4& instance : instanceMatrices(node, label)) {
-            InstanceWriter writer(scene_, file_, model_.meshes[static_cast<std::size_t>(node.mesh)].name,
-                                  mesh, toWorld * instance);
-            writeMesh(model_, file_, node.mesh, writer);
+    void addLight(const PlacedNode& place) {
+        const auto extension = element(place).extension("KHR_lights_punctual");
+        const std::optional<int> index =
+            extension ? extension->index("light", "light", lights_.size()) : std::nullopt;
+        if (!index)
+            return;
+        const GltfElement& source = lights_[static_cast<std::size_t>(*index)];
+        std::optional<PunctualLight> light = readLight(source, place.toWorld, scale());
+        if (!light) {
+            file_.warn(source.label() + " at " + element(place).label() +
+                       " has no place or direction and is left out");
+            return;
+        }
+        if (light->name.empty())
+            light->name = node(place).name;
+        scene_.lights.push_back(std::move(*light));
+    }
+
+    void addMesh(const PlacedNode& place, const GltfMeshes& meshes, const GltfSkins& skins) {
+        const tinygltf::Node& source = node(place);
+        if (source.mesh < 0)
+            return;
+        const std::string& label = element(place).label();
+        std::vector<GltfPart> parts = meshes.read(source.mesh, source.weights, label);
+        std::vector<glm::dmat4> toWorld = {glm::dmat4(1.0)};
+        if (source.skin >= 0) {
+            // The joints place a mesh, not its node.
+            const std::vector<glm::dmat4> joints = skins.matrices(source.skin, label);
+            for (GltfPart& part : parts)
+                applySkin(file_, joints, part);
+        } else {
+            toWorld = instanceMatrices(document_.model, file_, element(place));
+            for (glm::dmat4& instance : toWorld)
+                instance = place.toWorld * instance;
+        }
+        for (GltfPart& part : parts)
+            giveTangents(part);
+        const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(source.mesh)];
+        for (const glm::dmat4& instance : toWorld) {
+            InstanceWriter writer(scene_, file_, mesh.name,
+                                  elementName("mesh", mesh.name, static_cast<std::size_t>(source.mesh)),
+                                  instance);
+            for (const GltfPart& part : parts)
+                writer.write(part.label, part.geometry, part.material);
+            writer.finish();
         }
     }
 
-    // EXT_mesh_gpu_instancing; the identity alone without it.
-    std::vector<glm::dmat4> instanceMatrices(const tinygltf::Node& node, const std::string& label) const {
-        constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
-        const auto extension = node.extensions.find(kExtension);
-        if (extension == node.extensions.end())
-            return {glm::dmat4(1.0)};
-        const tinygltf::Value none;
-        const tinygltf::Value& attributes =
-            extension->second.Has("attributes") ? extension->second.Get("attributes") : none;
-        const auto accessor = [&](const char* name, int type) -> std::optional<GltfAccessor> {
-            if (!attributes.Has(name))
-                return std::nullopt;
-            const tinygltf::Value& index = attributes.Get(name);
-            return GltfAccessor(model_, file_, label + ": " + kExtension + ' ' + name,
-                                index.IsInt() ? index.GetNumberAsInt() : -1, type);
-        };
-        const std::optional<GltfAccessor> translation = accessor("TRANSLATION", TINYGLTF_TYPE_VEC3);
-        const std::optional<GltfAccessor> rotation = accessor("ROTATION", TINYGLTF_TYPE_VEC4);
-        const std::optional<GltfAccessor> scale = accessor("SCALE", TINYGLTF_TYPE_VEC3);
-
-        std::optional<std::uint64_t> count;
-        for (const std::optional<GltfAccessor>* attribute : {&translation, &rotation, &scale}) {
-            if (*attribute && count.value_or((*attribute)->count()) != (*attribute)->count())
-                file_.refuse(label + ": " + kExtension + ": attributes of different counts");
-            if (*attribute)
-                count = (*attribute)->count();
-        }
-        std::vector<glm::dmat4> matrices;
-        for (std::uint64_t i = 0; i < count.value_or(0); ++i)
-            matrices.push_back(composed(translation ? translation->vec3(i) : glm::dvec3(0.0),
-                                        rotation ? rotation->vec4(i) : glm::dvec4(0.0, 0.0, 0.0, 1.0),
-                                        scale ? scale->vec3(i) : glm::dvec3(1.0)));
-        return matrices;
+    // Where the material needs them and the file has none.
+    void giveTangents(GltfPart& part) const {
+        if (part.material == kNoMaterial || !part.geometry.tangents.empty())
+            return;
+        const Material& material = scene_.materials[part.material];
+        const std::uint32_t set = texCoordOfTangents(material);
+        if (needsTangents(material) && !part.geometry.texCoords[set].empty())
+            addTangents(part.geometry, set);
     }
 
-    const tinygltf::Model& model_;
+    const GltfDocument& document_;
     SceneFile& file_;
-    double scale_;
+    const ImportOptions& options_;
+    GltfElement root_;
+    std::vector<GltfElement> nodes_;
+    std::vector<GltfElement> lights_;
+    std::vector<std::array<std::uint32_t, 2>> texCoordSets_; // [material]
     Scene scene_;
 };
 
 } // namespace
 
-Scene importGltf(SceneFile& file, double scale) {
-    const tinygltf::Model model = readGltf(file);
-    return GltfImporter(model, file, scale).import();
+Scene importGltf(SceneFile& file, const ImportOptions& options) {
+    GltfDocument document = readGltf(file);
+    if (options.time)
+        poseNodes(document, file, options.animation, *options.time);
+    return GltfImporter(document, file, options).import();
 }
 
 } // namespace metamarch

@@ -1,12 +1,22 @@
-// glTF materials, as far as their factors go: no textures.
+// glTF materials.
 #pragma once
-#include "scene/scene.h"
+#include "scene/gltf_element.h"
+#include "scene/gltf_texture.h"
+#include "scene/material.h"
 
-#include <tiny_gltf.h>
+#include <array>
 
 namespace metamarch {
 
-// Factors outside their range are clamped to it.
-Material readMaterial(const tinygltf::Material& source);
+struct GltfMaterial {
+    Material material; // its textures are indices into GltfTextures::textures()
+    // Which TEXCOORD_n of a primitive the material's texture coordinates 0 and 1 are.
+    std::array<std::uint32_t, 2> texCoordSets = {0, 1};
+};
+
+// Factors outside their range are clamped to it; lengths are multiplied by |scale|. Throws
+// Error(sceneRefused) for values of wrong types, and where more than two sets of texture coordinates are
+// wanted.
+GltfMaterial readMaterial(const GltfElement& source, const GltfTextures& textures, double scale);
 
 } // namespace metamarch

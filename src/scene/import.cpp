@@ -5,38 +5,29 @@
 #include "scene/mesh_import.h"
 #include "scene/scene_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <new>
 
 namespace metamarch {
 namespace {
 
-std::string lowerCaseEnding(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
-Scene import(SceneFile& file, double scale) {
+Scene import(SceneFile& file, const ImportOptions& options) {
     const std::string ending = lowerCaseEnding(file.path());
     if (ending == ".gltf" || ending == ".glb")
-        return importGltf(file, scale);
+        return importGltf(file, options);
     if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl")
-        return importMesh(file, ending, scale);
+        return importMesh(file, ending, options);
     file.refuse("the ending '" + ending + "' is none of .gltf .glb .obj .ply .off .stl");
 }
 
 } // namespace
 
-Scene loadScene(const std::filesystem::path& path, float scale) {
+Scene loadScene(const std::filesystem::path& path, const ImportOptions& options) {
     SceneFile file(path);
-    if (!std::isfinite(scale) || scale == 0.0f)
-        file.refuse("scale " + std::to_string(scale) + " is zero or not finite");
+    if (!std::isfinite(options.scale) || options.scale == 0.0f)
+        file.refuse("scale " + std::to_string(options.scale) + " is zero or not finite");
     try {
-        Scene scene = import(file, static_cast<double>(scale));
+        Scene scene = import(file, options);
         scene.warnings = file.takeWarnings();
         return scene;
     } catch (const Error&) {

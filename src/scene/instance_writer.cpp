@@ -1,113 +1,140 @@
 #include "scene/instance_writer.h"
 
-#include <algorithm>
+#include "scene/normal_matrix.h"
+
 #include <cmath>
 
 namespace metamarch {
 namespace {
 
-template <int N>
-bool isFinite(const glm::vec<N, double>& v) {
-    for (int axis = 0; axis < N; ++axis) {
-        if (!std::isfinite(static_cast<float>(v[axis])))
-            return false;
-    }
-    return true;
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Appends `convert` of each of `values`, of which there are `count` or none; where there are none, `missing`.
+template <class T, class Convert>
+void append(std::vector<T>& to, const std::vector<T>& values, std::size_t count, const T& missing,
+            const Convert& convert) {
+    for (const T& value : values)
+        to.push_back(convert(value));
+    if (values.empty())
+        to.insert(to.end(), count, missing);
 }
 
-// The cofactor matrix carries normals even where the linear part is singular and has no inverse; with the
-// determinant's sign it keeps them on their side of a mirrored surface. Scaled to entries of at most 1,
-// because only directions matter and products of tiny scales would underflow.
-glm::dmat3 normalMatrix(const glm::dmat4& toWorld, bool mirrored) {
-    glm::dmat3 linear(toWorld);
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column)
-        largest = std::max(
-            {largest, std::abs(linear[column].x), std::abs(linear[column].y), std::abs(linear[column].z)});
-    if (largest > 0.0)
-        linear /= largest;
-    const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                              glm::cross(linear[0], linear[1]));
-    return mirrored ? -cofactor : cofactor;
+// The same for an array that stays empty until some part has values; `before` vertices lie before this part.
+template <class T, class Convert>
+void appendOptional(std::vector<T>& to, const std::vector<T>& values, std::size_t count, std::size_t before,
+                    const T& missing, const Convert& convert) {
+    if (values.empty() && to.empty())
+        return;
+    to.resize(before, missing);
+    append(to, values, count, missing, convert);
 }
 
 } // namespace
 
 InstanceWriter::InstanceWriter(Scene& scene, SceneFile& file, const std::string& name, std::string label,
                                const glm::dmat4& toWorld)
-    : scene_(scene), file_(file), label_(std::move(label)), partLabel_(label_), toWorld_(toWorld),
-      mirrored_(glm::determinant(glm::dmat3(toWorld)) < 0.0),
+    : scene_(scene), file_(file), label_(std::move(label)), toWorld_(toWorld),
+      normalToWorld_(normalMatrix(toWorld)), mirrored_(isMirroring(toWorld)),
       mesh_(static_cast<std::uint32_t>(scene.meshes.size())) {
-    normalToWorld_ = normalMatrix(toWorld_, mirrored_);
     scene_.meshes.push_back({name});
 }
 
-void InstanceWriter::beginPart(std::string label, std::uint64_t vertexCount, std::uint64_t triangleCount,
-                               std::uint32_t material) {
-    partLabel_ = std::move(label);
-    if (vertexCount > kMaxVertices - scene_.positions.size())
-        file_.refuseSize(partLabel_ + ": the scene would have more than " + std::to_string(kMaxVertices) +
-                         " vertices");
-    if (triangleCount > kMaxTriangles - scene_.triangles.size())
-        file_.refuseSize(partLabel_ + ": the scene would have more than " + std::to_string(kMaxTriangles) +
-                         " triangles");
-    firstVertex_ = static_cast<std::uint32_t>(scene_.positions.size());
-    vertexCount_ = static_cast<std::uint32_t>(vertexCount);
-    material_ = material;
-}
+void InstanceWriter::write(const std::string& label, const MeshGeometry& part, std::uint32_t material) {
+    checkRoom(label, part);
+    const std::size_t before = scene_.positions.size();
+    const std::size_t count = part.positions.size();
+    writePositions(label, part);
+    append(scene_.normals, part.normals, count, glm::vec3(0.0f),
+           [this](const glm::vec3& normal) { return worldNormal(normal); });
+    const auto texCoord = [this](const glm::vec2& value) { return checkedTexCoord(value); };
+    append(scene_.texCoords, part.texCoords[0], count, glm::vec2(0.0f), texCoord);
+    appendOptional(scene_.texCoords1, part.texCoords[1], count, before, glm::vec2(0.0f), texCoord);
+    appendOptional(scene_.colors, part.colors, count, before, glm::vec4(1.0f),
+                   [this](const glm::vec4& color) { return checkedColor(color); });
+    appendOptional(scene_.tangents, part.tangents, count, before, glm::vec4(0.0f),
+                   [this](const glm::vec4& tangent) { return worldTangent(tangent); });
 
-void InstanceWriter::addVertex(const glm::dvec3& position, const std::optional<glm::dvec3>& normal,
-                               const std::optional<glm::dvec2>& texCoord) {
-    const glm::dvec3 worldPosition(toWorld_ * glm::dvec4(position, 1.0));
-    if (!isFinite(worldPosition))
-        file_.refuse(partLabel_ + ": position of vertex " +
-                     std::to_string(scene_.positions.size() - firstVertex_) + " is not finite");
-    scene_.positions.emplace_back(worldPosition);
-    scene_.normals.push_back(normal ? worldNormal(*normal) : glm::vec3(0.0f));
-    scene_.texCoords.push_back(texCoord ? checkedTexCoord(*texCoord) : glm::vec2(0.0f));
-}
-
-void InstanceWriter::addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    for (const std::uint32_t index : {a, b, c}) {
-        if (index >= vertexCount_)
-            file_.refuse(partLabel_ + ": index " + std::to_string(index) + " is out of range, there are " +
-                         std::to_string(vertexCount_) + " vertices");
-    }
-    if (mirrored_)
-        std::swap(b, c);
-    scene_.triangles.emplace_back(firstVertex_ + a, firstVertex_ + b, firstVertex_ + c);
-    scene_.triangleMesh.push_back(mesh_);
-    scene_.triangleMaterial.push_back(material_);
+    const auto first = static_cast<std::uint32_t>(before);
+    for (const glm::uvec3& triangle : part.triangles)
+        scene_.triangles.push_back(first +
+                                   (mirrored_ ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle));
+    scene_.triangleMesh.resize(scene_.triangles.size(), mesh_);
+    scene_.triangleMaterial.resize(scene_.triangles.size(), material);
 }
 
 void InstanceWriter::finish() {
-    if (brokenNormals_ > 0)
-        file_.warn(label_ + ": " + std::to_string(brokenNormals_) +
-                   " normals are zero or not finite; the triangles' own are used there");
-    if (brokenTexCoords_ > 0)
-        file_.warn(label_ + ": " + std::to_string(brokenTexCoords_) +
-                   " texture coordinates are not finite; zero is used");
+    const auto report = [this](std::uint64_t count, const char* what) {
+        if (count > 0)
+            file_.warn(label_ + ": " + std::to_string(count) + ' ' + what);
+    };
+    report(brokenNormals_, "normals are zero or not finite; the triangles' own are used there");
+    report(brokenTexCoords_, "texture coordinates are not finite; zero is used");
+    report(brokenColors_, "colors are negative or not finite; white is used");
+    report(brokenTangents_, "tangents are zero or not finite; any direction is used there");
 }
 
-glm::vec3 InstanceWriter::worldNormal(const glm::dvec3& normal) {
-    const double length = glm::length(normal);
+void InstanceWriter::checkRoom(const std::string& label, const MeshGeometry& part) const {
+    if (part.positions.size() > kMaxVertices - scene_.positions.size())
+        file_.refuseSize(label + ": the scene would have more than " + std::to_string(kMaxVertices) +
+                         " vertices");
+    if (part.triangles.size() > kMaxTriangles - scene_.triangles.size())
+        file_.refuseSize(label + ": the scene would have more than " + std::to_string(kMaxTriangles) +
+                         " triangles");
+}
+
+void InstanceWriter::writePositions(const std::string& label, const MeshGeometry& part) {
+    for (std::size_t i = 0; i < part.positions.size(); ++i) {
+        const glm::vec3 position(toWorld_ * glm::dvec4(part.positions[i], 1.0));
+        if (!isFinite(position))
+            file_.refuse(label + ": position of vertex " + std::to_string(i) + " is not finite");
+        scene_.positions.push_back(position);
+    }
+}
+
+glm::vec3 InstanceWriter::worldNormal(const glm::vec3& normal) {
+    const double length = glm::length(glm::dvec3(normal));
     if (!std::isfinite(length) || length == 0.0) {
         ++brokenNormals_;
         return glm::vec3(0.0f);
     }
-    const glm::dvec3 carried = normalToWorld_ * (normal / length);
-    const double carriedLength = glm::length(carried);
     // A singular transform can flatten a sound normal to nothing: the file is not at fault, so nothing is
     // said.
+    const glm::dvec3 carried = normalToWorld_ * (glm::dvec3(normal) / length);
+    const double carriedLength = glm::length(carried);
     return std::isfinite(carriedLength) && carriedLength > 0.0 ? glm::vec3(carried / carriedLength)
                                                                : glm::vec3(0.0f);
 }
 
-glm::vec2 InstanceWriter::checkedTexCoord(const glm::dvec2& texCoord) {
-    if (isFinite(texCoord))
-        return glm::vec2(texCoord);
+// In a mirror the bitangent changes sides.
+glm::vec4 InstanceWriter::worldTangent(const glm::vec4& tangent) {
+    const glm::dvec3 direction(tangent);
+    const double length = glm::length(direction);
+    if (!std::isfinite(length) || length == 0.0) {
+        ++brokenTangents_;
+        return glm::vec4(0.0f);
+    }
+    const glm::dvec3 carried = glm::dmat3(toWorld_) * (direction / length);
+    const double carriedLength = glm::length(carried);
+    if (!std::isfinite(carriedLength) || carriedLength == 0.0)
+        return glm::vec4(0.0f);
+    return glm::vec4(carried / carriedLength, (tangent.w < 0.0f) == mirrored_ ? 1.0 : -1.0);
+}
+
+glm::vec2 InstanceWriter::checkedTexCoord(const glm::vec2& texCoord) {
+    if (std::isfinite(texCoord.x) && std::isfinite(texCoord.y))
+        return texCoord;
     ++brokenTexCoords_;
     return glm::vec2(0.0f);
+}
+
+glm::vec4 InstanceWriter::checkedColor(const glm::vec4& color) {
+    for (int channel = 0; channel < 4; ++channel) {
+        if (!(color[channel] >= 0.0f && std::isfinite(color[channel]))) {
+            ++brokenColors_;
+            return glm::vec4(1.0f);
+        }
+    }
+    return color;
 }
 
 } // namespace metamarch

@@ -1,13 +1,13 @@
 // Writes one mesh instance into a scene, in world space: the one place where importers' geometry becomes a
 // Scene.
 #pragma once
+#include "scene/mesh_geometry.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace metamarch {
@@ -18,44 +18,38 @@ inline constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 31;
 
 class InstanceWriter {
   public:
-    // `label` starts the error lines of this mesh. A mirroring `toWorld` turns the triangles round, so that
-    // the front stays the front; a singular one is allowed.
+    // `label` starts the lines about this mesh. A mirroring `toWorld` turns the triangles round, so that the
+    // front stays the front; a singular one is allowed.
     InstanceWriter(Scene& scene, SceneFile& file, const std::string& name, std::string label,
                    const glm::dmat4& toWorld);
 
-    // Later vertices and triangles belong to this part (glTF: primitive); triangle indices count from its
-    // first vertex. Throws Error(outOfMemory) when the scene would grow past kMaxVertices or kMaxTriangles.
-    void beginPart(std::string label, std::uint64_t vertexCount, std::uint64_t triangleCount,
-                   std::uint32_t material);
-
-    // Object space; the normal of any length. Throws Error(sceneRefused) when the world position is not
-    // finite. A given normal or texture coordinate that is broken becomes zero, which finish() says once for
-    // the mesh.
-    void addVertex(const glm::dvec3& position, const std::optional<glm::dvec3>& normal,
-                   const std::optional<glm::dvec2>& texCoord);
-
-    // Throws Error(sceneRefused) when an index is not below the part's vertex count.
-    void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    // Appends a part (glTF: a primitive), whose indices must have been checked; `label` starts its error
+    // lines. Throws Error(outOfMemory) when the scene would grow past kMaxVertices or kMaxTriangles, and
+    // Error(sceneRefused) when a position in the world is not finite. Normals, texture coordinates, colours
+    // and tangents that are broken are replaced, which finish() says once for the mesh.
+    void write(const std::string& label, const MeshGeometry& part, std::uint32_t material);
 
     void finish();
 
   private:
-    glm::vec3 worldNormal(const glm::dvec3& normal);
-    glm::vec2 checkedTexCoord(const glm::dvec2& texCoord);
+    void checkRoom(const std::string& label, const MeshGeometry& part) const;
+    void writePositions(const std::string& label, const MeshGeometry& part);
+    glm::vec3 worldNormal(const glm::vec3& normal);
+    glm::vec4 worldTangent(const glm::vec4& tangent);
+    glm::vec2 checkedTexCoord(const glm::vec2& texCoord);
+    glm::vec4 checkedColor(const glm::vec4& color);
 
     Scene& scene_;
     SceneFile& file_;
     std::string label_;
-    std::string partLabel_;
     glm::dmat4 toWorld_;
     glm::dmat3 normalToWorld_;
     bool mirrored_;
     std::uint32_t mesh_;
-    std::uint32_t material_ = kNoMaterial;
-    std::uint32_t firstVertex_ = 0;
-    std::uint32_t vertexCount_ = 0;
     std::uint64_t brokenNormals_ = 0;
     std::uint64_t brokenTexCoords_ = 0;
+    std::uint64_t brokenColors_ = 0;
+    std::uint64_t brokenTangents_ = 0;
 };
 
 } // namespace metamarch

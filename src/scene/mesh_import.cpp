@@ -1,7 +1,9 @@
 #include "scene/mesh_import.h"
 
+#include "scene/choice.h"
 #include "scene/instance_writer.h"
 #include "scene/mesh_check.h"
+#include "scene/mtl_material.h"
 #include "scene/vertex_join.h"
 
 #include <assimp/BaseImporter.h>
@@ -59,25 +61,12 @@ void keepOnlyImporter(Assimp::Importer& importer, const std::string& ending) {
     }
 }
 
-float channel(float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; }
-
-Material readMaterial(const aiMaterial& source) {
-    Material material;
-    material.name = source.GetName().C_Str();
-    aiColor3D color;
-    if (source.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS)
-        material.baseColor = glm::vec4(channel(color.r), channel(color.g), channel(color.b), 1.0f);
-    if (source.Get(AI_MATKEY_COLOR_EMISSIVE, color) == AI_SUCCESS &&
-        std::isfinite(color.r + color.g + color.b))
-        material.emission = glm::max(glm::vec3(color.r, color.g, color.b), glm::vec3(0.0f));
-    return material;
-}
-
 class MeshImporter {
   public:
-    MeshImporter(const aiScene& source, SceneFile& file, const std::string& ending, double scale)
-        : source_(source), file_(file), ending_(ending),
-          toWorld_(glm::scale(glm::dmat4(1.0), glm::dvec3(scale))) {}
+    MeshImporter(const aiScene& source, SceneFile& file, const std::string& ending,
+                 const ImportOptions& options)
+        : source_(source), file_(file), ending_(ending), options_(options), textures_(file),
+          toWorld_(glm::scale(glm::dmat4(1.0), glm::dvec3(static_cast<double>(options.scale)))) {}
 
     Scene import() {
         addMaterials();
@@ -85,6 +74,7 @@ class MeshImporter {
             addMesh(*source_.mMeshes[i], i);
         if (scene_.triangles.empty())
             file_.refuse("there is no triangle in it");
+        loadTextures(scene_, file_, textures_.sources(), options_.allowMissingTextures);
         return std::move(scene_);
     }
 
@@ -97,8 +87,9 @@ class MeshImporter {
             if (ending_ != ".obj" || material.GetName() == aiString(AI_DEFAULT_MATERIAL_NAME))
                 continue;
             materials_[i] = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.push_back(readMaterial(material));
+            scene_.materials.push_back(textures_.read(material));
         }
+        scene_.textures = textures_.textures();
     }
 
     void addMesh(const aiMesh& mesh, std::uint32_t index) {
@@ -115,33 +106,43 @@ class MeshImporter {
         if (triangles == 0)
             return;
 
-        InstanceWriter writer(scene_, file_, mesh.mName.C_Str(), label, toWorld_);
-        writer.beginPart(label, vertices.kept.size(), triangles,
-                         mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex]
-                                                                 : kNoMaterial);
-        for (const std::uint32_t vertex : vertices.kept)
-            addVertex(mesh, vertex, writer);
+        MeshGeometry geometry = readVertices(mesh, vertices.kept);
+        geometry.triangles.reserve(triangles);
         for (const aiFace& face : faces) {
             if (face.mNumIndices == 3)
-                writer.addTriangle(joinedIndex(vertices, face, 0), joinedIndex(vertices, face, 1),
-                                   joinedIndex(vertices, face, 2));
+                geometry.triangles.emplace_back(joinedIndex(vertices, face, 0),
+                                                joinedIndex(vertices, face, 1),
+                                                joinedIndex(vertices, face, 2));
         }
+        checkIndices(file_, label, geometry);
+        const std::uint32_t material =
+            mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : kNoMaterial;
+        if (material != kNoMaterial && needsTangents(scene_.materials[material]) && mesh.HasTextureCoords(0))
+            addTangents(geometry, 0);
+        InstanceWriter writer(scene_, file_, mesh.mName.C_Str(), label, toWorld_);
+        writer.write(label, geometry, material);
         writer.finish();
     }
 
     // STL has one normal per facet, which the triangle has anyway and which would keep its vertices apart.
-    void addVertex(const aiMesh& mesh, std::uint32_t vertex, InstanceWriter& writer) const {
-        std::optional<glm::dvec3> normal;
-        std::optional<glm::dvec2> texCoord;
-        if (mesh.HasNormals() && ending_ != ".stl")
-            normal = glm::dvec3(mesh.mNormals[vertex].x, mesh.mNormals[vertex].y, mesh.mNormals[vertex].z);
-        if (mesh.HasTextureCoords(0))
-            texCoord = glm::dvec2(mesh.mTextureCoords[0][vertex].x, mesh.mTextureCoords[0][vertex].y);
-        const aiVector3D& position = mesh.mVertices[vertex];
-        writer.addVertex(glm::dvec3(position.x, position.y, position.z), normal, texCoord);
+    MeshGeometry readVertices(const aiMesh& mesh, const std::vector<std::uint32_t>& kept) const {
+        const bool hasNormals = mesh.HasNormals() && ending_ != ".stl";
+        const bool hasTexCoords = mesh.HasTextureCoords(0);
+        MeshGeometry geometry;
+        for (const std::uint32_t vertex : kept) {
+            const aiVector3D& position = mesh.mVertices[vertex];
+            geometry.positions.emplace_back(position.x, position.y, position.z);
+            if (hasNormals)
+                geometry.normals.emplace_back(mesh.mNormals[vertex].x, mesh.mNormals[vertex].y,
+                                              mesh.mNormals[vertex].z);
+            if (hasTexCoords)
+                geometry.texCoords[0].emplace_back(mesh.mTextureCoords[0][vertex].x,
+                                                   1.0f - mesh.mTextureCoords[0][vertex].y); // OBJ's go up
+        }
+        return geometry;
     }
 
-    // An index out of range stays one, for the writer to name.
+    // An index out of range stays one, for checkIndices to name.
     static std::uint32_t joinedIndex(const JoinedVertices& vertices, const aiFace& face, int corner) {
         const std::uint32_t index = face.mIndices[corner];
         return index < vertices.group.size() ? vertices.group[index] : index;
@@ -150,6 +151,8 @@ class MeshImporter {
     const aiScene& source_;
     SceneFile& file_;
     const std::string& ending_;
+    const ImportOptions& options_;
+    MtlTextures textures_;
     glm::dmat4 toWorld_;
     std::vector<std::uint32_t> materials_; // [Assimp's index]
     Scene scene_;
@@ -204,7 +207,14 @@ void checkFaces(const SceneFile& file, const aiScene& source) {
 
 } // namespace
 
-Scene importMesh(SceneFile& file, const std::string& ending, double scale) {
+Scene importMesh(SceneFile& file, const std::string& ending, const ImportOptions& options) {
+    // What these formats do not have cannot be chosen.
+    if (!options.variant.empty())
+        chooseIndex("variant", {}, options.variant);
+    if (!options.animation.empty())
+        chooseIndex("animation", {}, options.animation);
+    if (options.time)
+        file.warn("there is no animation, it looks the same at any time");
     const std::optional<MeshCounts> checked = checkMesh(file, ending);
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderIo(file)); // the importer deletes it
@@ -218,7 +228,7 @@ Scene importMesh(SceneFile& file, const std::string& ending, double scale) {
     }
     if (source == nullptr)
         file.refuse(std::string("not ") + ending.substr(1) + ": " + importer.GetErrorString());
-    return MeshImporter(*source, file, ending, scale).import();
+    return MeshImporter(*source, file, ending, options).import();
 }
 
 } // namespace metamarch

@@ -1,5 +1,6 @@
 // OBJ, PLY, OFF and STL to Scene, through Assimp.
 #pragma once
+#include "scene/import.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
 
@@ -7,10 +8,10 @@
 
 namespace metamarch {
 
-// `ending` is one of ".obj" ".ply" ".off" ".stl"; `scale` as in loadScene. Polygons are triangulated,
+// `ending` is one of ".obj" ".ply" ".off" ".stl"; `options` as in loadScene. Polygons are triangulated,
 // degenerate faces kept. Vertices that the format shares but Assimp gives once per corner (OBJ, STL) are
 // joined again where all they have is equal. Throws as loadScene; a file without a triangle is refused, since
 // any text passes for an empty OBJ.
-Scene importMesh(SceneFile& file, const std::string& ending, double scale);
+Scene importMesh(SceneFile& file, const std::string& ending, const ImportOptions& options);
 
 } // namespace metamarch

@@ -34,14 +34,10 @@ SceneFile::SceneFile(std::filesystem::path path) : path_(std::move(path)) {
 }
 
 std::vector<unsigned char> SceneFile::read() const {
-    std::ifstream stream(path_, std::ios::binary | std::ios::ate);
-    if (!stream)
-        refuse("cannot be opened for reading");
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
-    stream.seekg(0);
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
-        refuse("cannot be read to its end");
-    return bytes;
+    std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
+    if (!bytes)
+        refuse("cannot be opened and read to its end");
+    return std::move(*bytes);
 }
 
 bool SceneFile::isBeside(const std::filesystem::path& other) const {
@@ -51,6 +47,16 @@ bool SceneFile::isBeside(const std::filesystem::path& other) const {
         return false;
     return std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end()).first ==
            folder_.end();
+}
+
+std::string SceneFile::whyNotReadable(const std::string& name) const {
+    if (name.find("://") != std::string::npos)
+        return "is not a file beside the scene";
+    if (std::filesystem::path(name).is_absolute() || name.find('\0') != std::string::npos ||
+        !isBeside(companion(name)))
+        return "leaves the scene's folder";
+    std::error_code failure;
+    return std::filesystem::is_regular_file(companion(name), failure) ? "" : "is missing";
 }
 
 void SceneFile::refuse(const std::string& what) const { throw Error(ExitCode::sceneRefused, line(what)); }
@@ -63,6 +69,24 @@ void SceneFile::warn(const std::string& what) {
 }
 
 std::string SceneFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
+
+std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary | std::ios::ate);
+    if (!stream)
+        return std::nullopt;
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
+    stream.seekg(0);
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+        return std::nullopt;
+    return bytes;
+}
+
+std::string lowerCaseEnding(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
 
 std::string elementName(const char* kind, const std::string& name, std::size_t index) {
     return std::string(kind) + ' ' + (name.empty() ? std::to_string(index) : '\'' + name + '\'');

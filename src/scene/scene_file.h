@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -20,6 +21,11 @@ class SceneFile {
     // exist.
     bool isBeside(const std::filesystem::path& other) const;
 
+    // Where a name in this file leads, relative to its folder, and why what lies there may not be read: "is
+    // missing"; empty when it may.
+    std::filesystem::path companion(const std::string& name) const { return path_.parent_path() / name; }
+    std::string whyNotReadable(const std::string& name) const;
+
     // Both throw one line, "<path>: <what>": Error(sceneRefused) and Error(outOfMemory).
     [[noreturn]] void refuse(const std::string& what) const;
     [[noreturn]] void refuseSize(const std::string& what) const;
@@ -36,6 +42,12 @@ class SceneFile {
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> warned_;
 };
+
+// Nothing when the file cannot be read to its end.
+std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path);
+
+// ".png" of "wood.PNG"; empty when there is none.
+std::string lowerCaseEnding(const std::filesystem::path& path);
 
 // "mesh 'body'", or "mesh 4" for an element without a name.
 std::string elementName(const char* kind, const std::string& name, std::size_t index);

@@ -1,12 +1,11 @@
 #include "scene/view.h"
 
 #include "error.h"
+#include "scene/choice.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace metamarch {
@@ -21,27 +20,15 @@ float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov);
 } // namespace
 
 const SceneCamera& selectCamera(const Scene& scene, const std::string& selection) {
-    std::size_t index = 0;
-    const char* const end = selection.data() + selection.size();
-    const auto [stop, error] = std::from_chars(selection.data(), end, index);
-    if (error == std::errc() && stop == end && index < scene.cameras.size()) {
-        return scene.cameras[index];
-    }
-    for (const SceneCamera& camera : scene.cameras) {
-        if (camera.name == selection) {
-            return camera;
-        }
-    }
     if (scene.cameras.empty()) {
         throw Error(ExitCode::badArguments,
                     fmt::format("--camera {}: the scene has no camera; use --eye and --target", selection));
     }
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
-        names.push_back(fmt::format("{} '{}'", i, scene.cameras[i].name));
+    for (const SceneCamera& camera : scene.cameras) {
+        names.push_back(camera.name);
     }
-    throw Error(ExitCode::badArguments, fmt::format("--camera {}: no such camera; the scene has {}",
-                                                    selection, fmt::join(names, ", ")));
+    return scene.cameras[chooseIndex("camera", names, selection)];
 }
 
 SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {

@@ -10,10 +10,11 @@
 namespace metamarch {
 
 std::filesystem::path GltfFile::write(const std::string& name) {
+    nlohmann::json written = root;
     if (!root.contains("buffers") && !bytes_.empty())
-        root["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", bytes_.size()}}};
+        written["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", bytes_.size()}}};
     writeFile(folder / "scene.bin", std::string(bytes_.begin(), bytes_.end()));
-    writeFile(folder / name, root.dump());
+    writeFile(folder / name, written.dump());
     return folder / name;
 }
 

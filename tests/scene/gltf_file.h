@@ -44,12 +44,15 @@ class GltfFile {
         return static_cast<int>(root["accessors"].size()) - 1;
     }
 
-    int addVec3(const std::vector<float>& numbers) {
+    // `size`: numbers in an element of this type.
+    int addFloats(const char* type, std::size_t size, const std::vector<float>& numbers) {
         return addAccessor({{"bufferView", addView(numbers)},
                             {"componentType", kFloat},
-                            {"count", numbers.size() / 3},
-                            {"type", "VEC3"}});
+                            {"count", numbers.size() / size},
+                            {"type", type}});
     }
+
+    int addVec3(const std::vector<float>& numbers) { return addFloats("VEC3", 3, numbers); }
 
     int addIndices(const std::vector<std::uint16_t>& indices) {
         return addAccessor({{"bufferView", addView(indices)},
@@ -63,9 +66,11 @@ class GltfFile {
     }
 
     std::filesystem::path write(const std::string& name = "scene.gltf");
-    Scene load(float scale = 1.0f) { return loadScene(write(), scale); }
+    Scene load(const ImportOptions& options = {}) { return loadScene(write(), options); }
     // The line of the sceneRefused that loading must throw, without the file's path.
     std::string refusal();
+
+    std::size_t byteCount() const { return bytes_.size(); }
 
     TemporaryFolder folder;
 

@@ -134,7 +134,8 @@ TEST(GltfRefusal, ZerosWithoutEnd) {
 TEST(GltfRefusal, CountsOfAttributesDiffer) {
     TriangleFile file;
     file.primitive()["attributes"]["NORMAL"] = file.addVec3({0, 0, 1});
-    EXPECT_EQ(file.refusal(), "mesh 'body' primitive 0: 3 positions, but 1 normals");
+    EXPECT_EQ(file.refusal(),
+              "mesh 'body' primitive 0: NORMAL has 1 elements, POSITION of the primitive has 3");
 }
 
 TEST(GltfRefusal, NodeCycleAndTwoParents) {
@@ -179,12 +180,11 @@ TEST(GltfRefusal, BufferMissingOrElsewhere) {
 
 TEST(GltfRefusal, RequiredExtension) {
     TriangleFile file;
-    file.root["extensionsUsed"] = {"KHR_draco_mesh_compression", "KHR_materials_clearcoat", "ACME_wobble"};
+    file.root["extensionsUsed"] = {"ACME_paint", "KHR_materials_clearcoat", "ACME_wobble"};
     const Scene scene = file.load();
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_TRUE(
-        scene.warnings[0].ends_with("extensionsUsed: ignoring KHR_draco_mesh_compression, ACME_wobble"));
-    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "ACME_wobble"}) {
+    EXPECT_TRUE(scene.warnings[0].ends_with("extensionsUsed: ignoring ACME_paint, ACME_wobble"));
+    for (const char* name : {"ACME_wobble", "KHR_texture_basisu", "KHR_materials_wobble", ""}) {
         file.root["extensionsRequired"] = {"KHR_texture_transform", name};
         EXPECT_EQ(file.refusal(), "extensionsRequired: " + std::string(name) + " is not supported");
     }

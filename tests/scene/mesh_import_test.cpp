@@ -33,7 +33,7 @@ class MeshImport : public testing::Test {
   protected:
     Scene load(const std::string& name, const std::string& content, float scale = 1.0f) {
         writeFile(folder / name, content);
-        return loadScene(folder / name, scale);
+        return loadScene(folder / name, {.scale = scale});
     }
 
     std::string refusal(const std::string& name, const std::string& content) {
@@ -80,8 +80,8 @@ TEST_F(MeshImport, ObjNamesMaterialsAndJoinedVertices) {
     const Material& red = scene.materials[scene.triangleMaterial[0]];
     const Material& lamp = scene.materials[scene.triangleMaterial[3]];
     EXPECT_EQ(red.name, "red");
-    EXPECT_EQ(red.baseColor, glm::vec4(1, 0.25f, 0, 1));
-    EXPECT_EQ(lamp.emission, glm::vec3(2, 3, 4));
+    EXPECT_EQ(red.baseColorFactor, glm::vec4(1, 0.25f, 0, 1));
+    EXPECT_EQ(lamp.emissiveFactor, glm::vec3(2, 3, 4));
     EXPECT_TRUE(scene.warnings.empty());
 }
 
@@ -172,8 +172,8 @@ TEST_F(MeshImport, OtherFormatsUnderAMeshEnding) {
 
 TEST_F(MeshImport, ScaleIsFiniteAndNotZero) {
     writeFile(folder / "a.ply", kPly);
-    EXPECT_THROW(loadScene(folder / "a.ply", 0.0f), Error);
-    EXPECT_THROW(loadScene(folder / "a.ply", INFINITY), Error);
+    EXPECT_THROW(loadScene(folder / "a.ply", {.scale = 0.0f}), Error);
+    EXPECT_THROW(loadScene(folder / "a.ply", {.scale = INFINITY}), Error);
 }
 
 } // namespace

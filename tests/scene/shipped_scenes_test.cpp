@@ -30,7 +30,7 @@ TEST(ShippedScenes, Cornell) {
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.cameras[0].name, "front");
     ASSERT_EQ(scene.materials.size(), 4u);
-    EXPECT_EQ(scene.materials[3].emission.r, 17.0f);
+    EXPECT_EQ(scene.materials[3].emissiveFactor.r * scene.materials[3].emissiveStrength, 17.0f);
     EXPECT_TRUE(scene.warnings.empty());
     const Bounds bounds = boundsOf(scene);
     EXPECT_LT(glm::distance(bounds.hi - bounds.lo, glm::vec3(0.556f, 0.5488f, 0.5592f)), 1e-4f);

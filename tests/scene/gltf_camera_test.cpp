@@ -1,4 +1,4 @@
-// Cameras and materials of glTF.
+// Cameras of glTF.
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(GltfCamera, PerspectiveAtItsNode) {
                            {"translation", {1, 2, 3}},
                            {"rotation", {0, 0.70710678, 0, 0.70710678}},
                            {"scale", {7, 7, 7}}}};
-    const Scene scene = file.load(10.0f);
+    const Scene scene = file.load({.scale = 10.0f});
     ASSERT_EQ(scene.cameras.size(), 1u);
     const SceneCamera& camera = scene.cameras[0];
     EXPECT_EQ(camera.name, "front");
@@ -32,7 +32,7 @@ TEST(GltfCamera, OrthographicGrowsWithTheImportScale) {
                              {"name", "plan"},
                              {"orthographic", {{"xmag", 1}, {"ymag", 3}, {"znear", 0.1}, {"zfar", 9}}}}};
     file.root["nodes"] = {{{"camera", 0}, {"name", "node"}}};
-    const Scene scene = file.load(2.0f);
+    const Scene scene = file.load({.scale = 2.0f});
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.cameras[0].name, "plan");
     EXPECT_EQ(scene.cameras[0].projection, SceneCamera::Projection::orthographic);
@@ -50,36 +50,6 @@ TEST(GltfCamera, OneThatShowsNothingIsReported) {
     file.root["nodes"][0].erase("scale");
     file.root["cameras"][0]["perspective"]["yfov"] = 4;
     EXPECT_TRUE(file.load().cameras.empty());
-}
-
-TEST(GltfMaterial, FactorsAndEmissiveStrength) {
-    TriangleFile file;
-    file.root["materials"] = {
-        {{"name", "lamp"},
-         {"doubleSided", true},
-         {"emissiveFactor", {0.5, 0.25, 0}},
-         {"pbrMetallicRoughness",
-          {{"baseColorFactor", {0.25, 0.5, 0.75, 1}},
-           {"metallicFactor", 0.5},
-           {"roughnessFactor", 0.125},
-           {"baseColorTexture", {{"index", 0}}}}},
-         {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}},
-        nlohmann::json::object()};
-    file.root["textures"] = {{{"source", 0}}};
-    file.root["images"] = {{{"uri", "../../secret.png"}}}; // neither read nor missed
-    file.primitive()["material"] = 0;
-    const Scene scene = file.load();
-    ASSERT_EQ(scene.materials.size(), 2u);
-    const Material& lamp = scene.materials[0];
-    EXPECT_EQ(lamp.name, "lamp");
-    EXPECT_EQ(lamp.baseColor, glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
-    EXPECT_EQ(lamp.emission, glm::vec3(4, 2, 0));
-    EXPECT_EQ(lamp.metallic, 0.5f);
-    EXPECT_EQ(lamp.roughness, 0.125f);
-    EXPECT_TRUE(lamp.doubleSided);
-    EXPECT_EQ(scene.materials[1].metallic, 1.0f); // glTF's default
-    EXPECT_EQ(scene.triangleMaterial, std::vector<std::uint32_t>({0}));
-    EXPECT_TRUE(scene.warnings.empty());
 }
 
 } // namespace

@@ -1,0 +1,15 @@
+// glTF animations: nodes as they stand at a time.
+#pragma once
+#include "scene/gltf_document.h"
+
+#include <string>
+
+namespace metamarch {
+
+// Sets translation, rotation, scale and weights of every animated node to their values at `seconds`: those of
+// the first or last key outside an animation's time. `animation` is the name or index of the one to play,
+// empty for all, the later ones having the last word. Throws Error(badArguments), listing the animations, for
+// one that does not exist, and Error(sceneRefused) for one that is broken.
+void poseNodes(GltfDocument& document, SceneFile& file, const std::string& animation, double seconds);
+
+} // namespace metamarch
