@@ -6,14 +6,18 @@
 
 namespace metamarch {
 
+// What the scene's arrays are to a shader: lib/memory.glsl.
+enum class Memory { storage, texel };
+
 struct Shader {
     std::string_view kernel;
-    std::string_view traversal;
-    std::string_view structure; // that the traversal walks
+    std::string_view traversal; // empty: the kernel needs none
+    std::string_view structure; // that the traversal walks, or whose triangle records the kernel reads
+    Memory memory;
     std::span<const std::uint32_t> spirv;
 };
 
-// Every kernel with every traversal.
+// Every kernel with every traversal, then the kernels that need none; each for both kinds of memory.
 std::span<const Shader> shaders();
 
 // The names that --traversal takes, the default first.

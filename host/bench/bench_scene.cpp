@@ -1,7 +1,5 @@
 #include "bench/bench_scene.h"
 
-#include "bench/cpu_tracer.h"
-
 #include <algorithm>
 
 namespace metamarch::bench {
@@ -11,7 +9,7 @@ BenchScene::BenchScene(std::string sceneName, Scene importedScene, const Acceler
       structure(buildAccelerationStructure(scene, options)), shading(makeShadingData(scene)) {}
 
 JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view, RaySet set) {
-    std::vector<RayResult> judged = judge(scene.structure, set.rays, set.query);
+    Judgement judged = judge(scene.structure, set.rays, set.query);
     return {std::move(name), std::move(view), std::move(set), std::move(judged)};
 }
 
@@ -19,6 +17,7 @@ Row describeRow(BenchScene& scene, const JudgedRays& rays, const std::string& tr
                 const std::string& backend, const std::string& device,
                 const std::span<const RayResult> results) {
     Row row{.scene = scene.name,
+            .triangles = scene.scene.triangles.size(),
             .rays = rays.name,
             .view = rays.view,
             .traversal = traversal,

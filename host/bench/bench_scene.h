@@ -1,6 +1,7 @@
 // A scene made ready for every backend, and rays with the hits they must find.
 #pragma once
 #include "accel/acceleration_structure.h"
+#include "bench/cpu_tracer.h"
 #include "bench/ray_set.h"
 #include "bench/row.h"
 #include "bench/structure_cost.h"
@@ -30,7 +31,7 @@ struct JudgedRays {
     std::string name;
     std::string view; // Row::view
     RaySet set;
-    std::vector<RayResult> judged;
+    Judgement judged;
 };
 
 JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view, RaySet set);

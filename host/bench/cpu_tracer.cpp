@@ -1,5 +1,7 @@
 #include "bench/cpu_tracer.h"
 
+#include "reference/triangle_records.h"
+
 #include <tbb/parallel_for.h>
 
 #include <chrono>
@@ -7,44 +9,58 @@
 namespace metamarch::bench {
 namespace {
 
-template <class Trace>
-TraceResult traceOne(const Lattice& lattice, const RayQuery& query, const Trace& trace, RayResult& result) {
-    const Ray ray = makeRay(lattice, query.origin, query.tMin, query.dir, query.tMax);
-    const TraceResult found = trace(ray);
-    result = rayResult(ray, found.hit, found.steps, found.tests);
-    return found;
+Ray makeRay(const Lattice& lattice, const RayQuery& query) {
+    return metamarch::makeRay(lattice, query.origin, query.tMin, query.dir, query.tMax);
+}
+
+RayResult resultOf(const Ray& ray, const TraceResult& trace) {
+    return rayResult(ray, trace.hit, trace.steps, trace.tests);
+}
+
+// `traceOne(i)` is the result of ray i.
+template <class TraceOne>
+TimedRun runInOneThread(const std::size_t rayCount, const TraceOne& traceOne) {
+    TimedRun run{std::vector<RayResult>(rayCount), 0.0};
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < rayCount; ++i) {
+        run.results[i] = traceOne(i);
+    }
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return run;
 }
 
 } // namespace
 
-std::vector<RayResult> judge(const AccelerationStructure& structure, const std::span<const RayQuery> rays,
-                             const HitQuery query, std::vector<std::uint32_t>* const slots) {
-    std::vector<RayResult> results(rays.size());
-    if (slots != nullptr) {
-        slots->resize(rays.size());
-    }
+Judgement judge(const AccelerationStructure& structure, const std::span<const RayQuery> rays,
+                const HitQuery query) {
+    Judgement judgement{std::vector<RayResult>(rays.size()), std::vector<std::uint32_t>(rays.size())};
     tbb::parallel_for(std::size_t{0}, rays.size(), [&](const std::size_t i) {
-        const TraceResult found = traceOne(
-            structure.lattice, rays[i], [&](const Ray& ray) { return traceKdStack(structure, ray, query); },
-            results[i]);
-        if (slots != nullptr) {
-            (*slots)[i] = found.slot;
-        }
+        const Ray ray = makeRay(structure.lattice, rays[i]);
+        const TraceResult trace = traceKdStack(structure, ray, query);
+        judgement.results[i] = resultOf(ray, trace);
+        judgement.slots[i] = trace.hit.triangleId == kNoTriangle ? kNoSlot : trace.slot;
     });
-    return results;
+    return judgement;
 }
 
-CpuRun traceInOneThread(const StructureSet& structures, const std::span<const RayQuery> rays,
-                        const HitQuery query, const Twin& twin) {
-    CpuRun run{std::vector<RayResult>(rays.size()), 0.0};
-    const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        traceOne(
-            structures.kdTree().lattice, rays[i],
-            [&](const Ray& ray) { return twin.trace(structures, ray, query); }, run.results[i]);
-    }
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return run;
+TimedRun traceInOneThread(const StructureSet& structures, const std::span<const RayQuery> rays,
+                          const HitQuery query, const Twin& twin) {
+    return runInOneThread(rays.size(), [&](const std::size_t i) {
+        const Ray ray = makeRay(structures.kdTree().lattice, rays[i]);
+        return resultOf(ray, twin.trace(structures, ray, query));
+    });
+}
+
+TimedRun traceFloorInOneThread(const AccelerationStructure& structure, const std::span<const RayQuery> rays,
+                               const std::span<const std::uint32_t> slots) {
+    return runInOneThread(rays.size(), [&](const std::size_t i) {
+        const Ray ray = makeRay(structure.lattice, rays[i]);
+        TraceResult trace = startTrace(ray);
+        if (slots[i] != kNoSlot) {
+            testTriangle(structure.triangles, ray, slots[i], trace);
+        }
+        return resultOf(ray, trace);
+    });
 }
 
 } // namespace metamarch::bench

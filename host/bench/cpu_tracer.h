@@ -8,18 +8,26 @@
 
 namespace metamarch::bench {
 
-// What every traversal is compared with: the CPU's stack traversal, on all processors. One result per ray;
-// with `slots` also each hit's record in structure.triangles.
-std::vector<RayResult> judge(const AccelerationStructure& structure, std::span<const RayQuery> rays,
-                             HitQuery query, std::vector<std::uint32_t>* slots = nullptr);
+// What every traversal is compared with.
+struct Judgement {
+    std::vector<RayResult> results;   // one per ray
+    std::vector<std::uint32_t> slots; // each hit's record in structure.triangles; kNoSlot for a miss
+};
 
-struct CpuRun {
+// The CPU's stack traversal, on all processors.
+Judgement judge(const AccelerationStructure& structure, std::span<const RayQuery> rays, HitQuery query);
+
+struct TimedRun {
     std::vector<RayResult> results; // one per ray
     double seconds;                 // wall time
 };
 
 // Ray set-up and traversal, one ray after the other in one thread, as the kernel `rays` does it.
-CpuRun traceInOneThread(const StructureSet& structures, std::span<const RayQuery> rays, HitQuery query,
-                        const Twin& twin);
+TimedRun traceInOneThread(const StructureSet& structures, std::span<const RayQuery> rays, HitQuery query,
+                          const Twin& twin);
+
+// The same when the record that each ray hits is known, as the kernel `floor` does it.
+TimedRun traceFloorInOneThread(const AccelerationStructure& structure, std::span<const RayQuery> rays,
+                               std::span<const std::uint32_t> slots);
 
 } // namespace metamarch::bench

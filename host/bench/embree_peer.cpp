@@ -140,7 +140,8 @@ std::vector<Row> EmbreePeer::bench(const JudgedRays& rays, const Protocol& proto
         };
         run();
         Row row = describeRow(impl->scene, rays, name, "cpu", "one thread", results);
-        row.differingHits = countDifferent(rays.set.rays, results, rays.judged, rays.set.query, tolerance);
+        row.differingHits =
+            countDifferent(rays.set.rays, results, rays.judged.results, rays.set.query, tolerance);
         row.visitsPerRay.reset(); // Embree does not count
         row.testsPerRay.reset();
         row.buildSeconds = impl->buildSeconds;

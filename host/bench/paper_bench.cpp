@@ -66,10 +66,10 @@ std::unique_ptr<BenchScene> loadPaperModel(const PaperModel& model, const std::f
     const std::filesystem::path file = findModel(model, folder);
     Scene scene = loadScene(file);
     if (model.longestSide > 0.0) {
-        scene = loadScene(file, static_cast<float>(model.longestSide / longestSide(scene)));
+        scene = loadScene(file, {.scale = static_cast<float>(model.longestSide / longestSide(scene))});
     }
     const AccelerationOptions options{
-        .unit = glm::dvec3(model.unit), .cells = {}, .treeDepth = kPaperTreeDepth};
+        .unit = glm::dvec3(model.unit), .cells = {}, .treeDepth = kPaperTreeDepth, .exitBoxes = false};
     auto result = std::make_unique<BenchScene>(model.name, std::move(scene), options);
     if (result->structure.lattice.cellCount != model.cells) {
         throw Error(
@@ -86,11 +86,19 @@ void benchPaperModel(BenchScene& scene, const vulkan::Device& device, const std:
     const render::SceneBuffers buffers(device, scene.structure, scene.shading);
     for (const AxisView& view : kAxisViews) {
         for (const JudgedRays& rays : raysOfView(scene, view, width, height)) {
+            const Row cpuFloor = benchFloorOnCpu(scene, rays, protocol);
+            onRow(cpuFloor);
             for (const char* const traversal : kPaperTraversals) {
-                onRow(benchOnCpu(scene, rays, traversal, protocol));
+                Row row = benchOnCpu(scene, rays, traversal, protocol);
+                compareWithFloor(row, cpuFloor);
+                onRow(row);
             }
+            const Row deviceFloor = benchFloorOnDevice(scene, rays, device, buffers, protocol);
+            onRow(deviceFloor);
             for (const char* const traversal : kPaperTraversals) {
-                onRow(benchOnDevice(scene, rays, traversal, device, buffers, protocol));
+                Row row = benchOnDevice(scene, rays, traversal, device, buffers, protocol);
+                compareWithFloor(row, deviceFloor);
+                onRow(row);
             }
         }
     }

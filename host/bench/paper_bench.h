@@ -31,8 +31,8 @@ std::unique_ptr<BenchScene> loadPaperModel(const PaperModel& model, const std::f
 
 inline constexpr std::array<const char*, 2> kPaperTraversals{"kd_stack", "meta_table"};
 
-// Every view with primary rays and with the shadow, mirror and diffuse rays from their hits; each for
-// kPaperTraversals, on the CPU in one thread and on the device. `onRow` is told of each row.
+// Every view with primary rays and with the shadow, mirror and diffuse rays from their hits; each for kFloor
+// and kPaperTraversals, on the CPU in one thread and on the device. `onRow` is told of each row.
 void benchPaperModel(BenchScene& scene, const vulkan::Device& device, std::uint32_t width,
                      std::uint32_t height, const Protocol& protocol,
                      const std::function<void(const Row&)>& onRow);

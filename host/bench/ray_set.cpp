@@ -28,6 +28,14 @@ std::vector<RayQuery> axisViewRays(const Scene& scene, const float diagonals, co
 
 } // namespace
 
+std::vector<std::string> raySetNames() {
+    std::vector<std::string> names;
+    for (const RaySetKind& kind : kRaySets) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
 std::vector<RayQuery> cameraRays(const Camera& camera) {
     std::vector<RayQuery> rays;
     rays.reserve(std::size_t{camera.width} * camera.height);

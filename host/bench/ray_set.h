@@ -6,6 +6,7 @@
 #include "shared/ray_query.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,16 +17,24 @@ struct RaySet {
     HitQuery query = HitQuery::closest;
 };
 
-// far, close: camera rays of the four axis views, 1.5 and 0.7 box diagonals from the centre
-// ao:         one cosine-distributed ray from each hit of `close`, a tenth of the box diagonal long, any hit
-// shadow:     from each hit of `close` to a light outside the box, any hit
-// mirror:     from each hit of `close`, reflected at the triangle's plane
-// diffuse:    one cosine-distributed ray from each hit of `close`
-// random:     as many as `close` has, from points uniform in the box in uniform directions
-inline constexpr std::array<std::string_view, 7> kRaySetNames{"far",    "close",   "ao",    "shadow",
-                                                              "mirror", "diffuse", "random"};
+struct RaySetKind {
+    std::string_view name;
+    std::string_view meaning;
+};
 
-// One of kRaySetNames; the views are of width x height pixels.
+inline constexpr std::array<RaySetKind, 7> kRaySets{{
+    {"far", "camera rays of the four axis views, 1.5 box diagonals from the centre"},
+    {"close", "the same from 0.7 box diagonals"},
+    {"ao", "one cosine-distributed ray from each hit of close, a tenth of the box diagonal long, any hit"},
+    {"shadow", "from each hit of close to a light outside the box, any hit"},
+    {"mirror", "from each hit of close, reflected at the triangle's plane"},
+    {"diffuse", "one cosine-distributed ray from each hit of close"},
+    {"random", "as many as close has, from points uniform in the box in uniform directions"},
+}};
+
+std::vector<std::string> raySetNames();
+
+// The one of kRaySets that is called `name`; the views are of width x height pixels.
 RaySet makeRaySet(std::string_view name, const Scene& scene, const AccelerationStructure& structure,
                   std::uint32_t width, std::uint32_t height);
 

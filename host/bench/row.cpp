@@ -8,38 +8,13 @@
 namespace metamarch::bench {
 namespace {
 
-struct Column {
-    const char* heading;
-    int width; // negative: to the left
-};
-
 constexpr Column kColumns[] = {{"scene", -16}, {"rays", -14}, {"traversal", -16}, {"backend", -7},
-                               {"Mrays/s", 9}, {"spread", 7}, {"visits", 8},      {"tests", 8},
-                               {"bytes", 8},   {"hits", 7},   {"differ", 7},      {"build s", 9},
-                               {"MiB", 8}};
+                               {"Mrays/s", 9}, {"spread", 7}, {"x floor", 8},     {"visits", 8},
+                               {"tests", 8},   {"bytes", 8},  {"hits", 7},        {"differ", 7},
+                               {"build s", 9}, {"MiB", 8}};
 
 std::string number(const std::optional<double>& value, const int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : "-";
-}
-
-// One text per column.
-std::vector<std::string> cells(const Row& row) {
-    const double hitPart =
-        row.rayCount == 0 ? 0.0 : static_cast<double>(row.hits) / static_cast<double>(row.rayCount);
-    const auto mebibytes = row.bytes ? std::optional(static_cast<double>(*row.bytes) / 0x1p20) : std::nullopt;
-    return {row.scene,
-            row.view.empty() ? row.rays : fmt::format("{} {}", row.rays, row.view),
-            row.traversal,
-            row.backend,
-            number(row.mraysPerSecond, 3),
-            fmt::format("{:.1f}%", 100.0 * row.spread),
-            number(row.visitsPerRay, 2),
-            number(row.testsPerRay, 2),
-            number(row.bytesPerRay, 0),
-            fmt::format("{:.1f}%", 100.0 * hitPart),
-            fmt::to_string(row.differingHits),
-            number(row.buildSeconds, 3),
-            number(mebibytes, 1)};
 }
 
 std::string aligned(const std::vector<std::string>& texts) {
@@ -51,14 +26,6 @@ std::string aligned(const std::vector<std::string>& texts) {
     }
     line.erase(line.find_last_not_of(' ') + 1);
     return line;
-}
-
-std::vector<std::string> headings() {
-    std::vector<std::string> names;
-    for (const Column& column : kColumns) {
-        names.emplace_back(column.heading);
-    }
-    return names;
 }
 
 template <class T>
@@ -82,10 +49,19 @@ std::string csvCell(const nlohmann::ordered_json& value) {
 
 } // namespace
 
+void compareWithFloor(Row& row, const Row& floor) {
+    if (row.mraysPerSecond > 0.0) { // else there are no rays
+        row.floorMultiple = floor.mraysPerSecond / row.mraysPerSecond;
+    }
+}
+
 std::string definitions() {
     return "Mrays/s: million rays per second by the device's timestamps (cpu: wall clock of one thread, ray\n"
            "         set-up included), median of the runs after a warm-up; spread: distance between the\n"
            "         quartiles in per cent of it\n"
+           "x floor: time as a multiple of the row floor: the same rays when the hit is known in advance, "
+           "so\n"
+           "         that a ray is set up, one triangle record tested (none for a miss) and the hit written\n"
            "visits:  per ray: inner nodes, leaves and look-ups of a table\n"
            "tests:   triangle tests per ray\n"
            "bytes:   read per ray without caches: visits times what a visit reads, tests times a triangle\n"
@@ -96,6 +72,7 @@ std::string definitions() {
 
 nlohmann::ordered_json toJson(const Row& row) {
     return {{"scene", row.scene},
+            {"triangles", row.triangles},
             {"rays", row.rays},
             {"view", row.view.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(row.view)},
             {"traversal", row.traversal},
@@ -124,6 +101,7 @@ nlohmann::ordered_json toJson(const Origin& origin, const std::span<const Row> r
             {"driver", origin.driver},
             {"commit", origin.commit},
             {"date", origin.date},
+            {"setting", origin.setting},
             {"rows", list}};
 }
 
@@ -146,25 +124,36 @@ std::string toCsv(const std::span<const Row> rows) {
     return text;
 }
 
-std::string textHeadings() { return aligned(headings()); }
+std::span<const Column> columns() { return kColumns; }
+
+std::vector<std::string> cells(const Row& row) {
+    const double hitPart =
+        row.rayCount == 0 ? 0.0 : static_cast<double>(row.hits) / static_cast<double>(row.rayCount);
+    const auto mebibytes = row.bytes ? std::optional(static_cast<double>(*row.bytes) / 0x1p20) : std::nullopt;
+    return {row.scene,
+            row.view.empty() ? row.rays : fmt::format("{} {}", row.rays, row.view),
+            row.traversal,
+            row.backend,
+            number(row.mraysPerSecond, 3),
+            fmt::format("{:.1f}%", 100.0 * row.spread),
+            number(row.floorMultiple, 2),
+            number(row.visitsPerRay, 2),
+            number(row.testsPerRay, 2),
+            number(row.bytesPerRay, 0),
+            fmt::format("{:.1f}%", 100.0 * hitPart),
+            fmt::to_string(row.differingHits),
+            number(row.buildSeconds, 3),
+            number(mebibytes, 1)};
+}
+
+std::string textHeadings() {
+    std::vector<std::string> names;
+    for (const Column& column : kColumns) {
+        names.emplace_back(column.heading);
+    }
+    return aligned(names);
+}
 
 std::string toText(const Row& row) { return aligned(cells(row)); }
-
-std::string toMarkdown(const Origin& origin, const std::span<const Row> rows) {
-    const auto line = [](const std::vector<std::string>& texts) {
-        return fmt::format("| {} |\n", fmt::join(texts, " | "));
-    };
-    std::vector<std::string> rules;
-    for (const Column& column : kColumns) {
-        rules.emplace_back(column.width < 0 ? "---" : "---:");
-    }
-    std::string text =
-        fmt::format("{} ({}), commit {}, {}\n\n", origin.device, origin.driver, origin.commit, origin.date);
-    text += line(headings()) + line(rules);
-    for (const Row& row : rows) {
-        text += line(cells(row));
-    }
-    return text + "\n```\n" + definitions() + "```\n";
-}
 
 } // namespace metamarch::bench

@@ -55,12 +55,12 @@ RaySet cosineRays(const Lattice& lattice, const std::span<const SurfacePoint> po
 
 std::vector<SurfacePoint> surfacePoints(const AccelerationStructure& structure,
                                         const std::span<const RayQuery> rays) {
-    std::vector<std::uint32_t> slots;
-    const std::vector<RayResult> hits = judge(structure, rays, HitQuery::closest, &slots);
+    const Judgement judged = judge(structure, rays, HitQuery::closest);
     std::vector<SurfacePoint> points;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits[i].triangleId != kNoTriangle) {
-            points.push_back(surfacePoint(rays[i], hits[i].t, structure.triangles[slots[i]]));
+        if (judged.slots[i] != kNoSlot) {
+            points.push_back(
+                surfacePoint(rays[i], judged.results[i].t, structure.triangles[judged.slots[i]]));
         }
     }
     return points;

@@ -1,5 +1,7 @@
 #include "bench/structure_cost.h"
 
+#include "bench/row.h"
+
 #include <chrono>
 
 namespace metamarch::bench {
@@ -31,7 +33,9 @@ std::optional<StructureCost> StructureCosts::measure(const std::string_view trav
     const std::uint64_t leafBytes = byteSize(base.tree.leaves) + byteSize(base.triangles);
     const std::uint64_t treeBytes = byteSize(base.tree.nodes) + leafBytes;
     if (traversal == "meta_table") {
-        return StructureCost{sizeof(std::uint32_t) + sizeof(Leaf), byteSize(base.leafOfCell) + leafBytes,
+        return StructureCost{sizeof(std::uint32_t) + sizeof(Leaf),
+                             byteSize(base.table.leafOfCell) + byteSize(base.table.leaves) +
+                                 base.tableTriangles().size_bytes(),
                              base.treeSeconds + base.tableSeconds};
     }
     if (traversal == "kd_backtrack") {
@@ -56,6 +60,9 @@ std::optional<StructureCost> StructureCosts::measure(const std::string_view trav
     if (traversal == "uniform_grid") {
         const UniformGrid* const grid = timed([&]() -> auto& { return set.uniformGrid(); }, seconds);
         return StructureCost{sizeof(GridCell), byteSize(grid->cells) + byteSize(grid->triangles), seconds};
+    }
+    if (traversal == kFloor) {
+        return StructureCost{0, byteSize(base.triangles), 0.0};
     }
     if (traversal == "brute_force") {
         return StructureCost{0, recordBytes, 0.0};

@@ -3,6 +3,7 @@
 #include "bench/cpu_tracer.h"
 #include "bench/hit_check.h"
 #include "error.h"
+#include "render/floor_tracer.h"
 #include "render/ray_tracer.h"
 
 #include <fmt/format.h>
@@ -12,12 +13,21 @@ namespace {
 
 constexpr const char* kOneThread = "one thread";
 
-// The row for `results`, whose speed is still to be measured.
-Row checkedRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
-               const std::string& backend, const std::string& device,
-               const std::span<const RayResult> results, const HitTolerance& tolerance) {
+// A device's results and seconds, as the processor's.
+template <class Tracer>
+TimedRun timedRun(Tracer& tracer, const auto&... input) {
+    std::vector<RayResult> results = tracer.trace(input...);
+    return {std::move(results), tracer.deviceSeconds()};
+}
+
+// The row of what `run` does, which is judged before it is measured.
+template <class RunOnce>
+Row measuredRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+                const std::string& backend, const std::string& device, const HitTolerance& tolerance,
+                const Protocol& protocol, const RunOnce& run) {
+    const std::vector<RayResult> results = run().results;
     const std::uint64_t different =
-        countDifferent(rays.set.rays, results, rays.judged, rays.set.query, tolerance);
+        countDifferent(rays.set.rays, results, rays.judged.results, rays.set.query, tolerance);
     if (!isWithinBudget(different, results.size(), tolerance)) {
         throw Error(ExitCode::comparisonFailed,
                     fmt::format("{}, {} rays: {} on {} differs from the judge in {} of {} hits", scene.name,
@@ -25,13 +35,14 @@ Row checkedRow(BenchScene& scene, const JudgedRays& rays, const std::string& tra
     }
     Row row = describeRow(scene, rays, traversal, backend, device, results);
     row.differingHits = different;
+    const Summary speed = measureMraysPerSecond(protocol, row.rayCount, [&] { return run().seconds; });
+    row.mraysPerSecond = speed.median;
+    row.spread = speed.spread;
     return row;
 }
 
-void measure(Row& row, const Protocol& protocol, const std::function<double()>& run) {
-    const Summary speed = measureMraysPerSecond(protocol, row.rayCount, run);
-    row.mraysPerSecond = speed.median;
-    row.spread = speed.spread;
+HitTolerance deviceTolerance(const vulkan::Device& device, const BenchScene& scene) {
+    return toleranceOn(device.report().driver, scene.structure.lattice);
 }
 
 } // namespace
@@ -40,22 +51,32 @@ Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& 
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
                   const Protocol& protocol) {
     render::RayTracer tracer(device, buffers, traversal, rays.set.query == HitQuery::any);
-    Row row = checkedRow(scene, rays, traversal, "gpu", device.name(), tracer.trace(rays.set.rays),
-                         toleranceOn(device.report().driver, scene.structure.lattice));
-    measure(row, protocol, [&] {
-        tracer.trace(rays.set.rays);
-        return tracer.deviceSeconds();
-    });
-    return row;
+    return measuredRow(scene, rays, traversal, "gpu", device.name(), deviceTolerance(device, scene), protocol,
+                       [&] { return timedRun(tracer, rays.set.rays); });
 }
 
 Row benchOnCpu(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                const Protocol& protocol) {
-    const auto run = [&] {
-        return traceInOneThread(scene.structures, rays.set.rays, rays.set.query, findTwin(traversal));
-    };
-    Row row = checkedRow(scene, rays, traversal, "cpu", kOneThread, run().results, HitTolerance{});
-    measure(row, protocol, [&] { return run().seconds; });
+    const Twin& twin = findTwin(traversal, Invariants::unchecked);
+    return measuredRow(scene, rays, traversal, "cpu", kOneThread, {}, protocol, [&] {
+        return traceInOneThread(scene.structures, rays.set.rays, rays.set.query, twin);
+    });
+}
+
+Row benchFloorOnDevice(BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
+                       const render::SceneBuffers& buffers, const Protocol& protocol) {
+    render::FloorTracer tracer(device, buffers);
+    Row row = measuredRow(scene, rays, kFloor, "gpu", device.name(), deviceTolerance(device, scene), protocol,
+                          [&] { return timedRun(tracer, rays.set.rays, rays.judged.slots); });
+    compareWithFloor(row, row);
+    return row;
+}
+
+Row benchFloorOnCpu(BenchScene& scene, const JudgedRays& rays, const Protocol& protocol) {
+    Row row = measuredRow(scene, rays, kFloor, "cpu", kOneThread, {}, protocol, [&] {
+        return traceFloorInOneThread(scene.structure, rays.set.rays, rays.judged.slots);
+    });
+    compareWithFloor(row, row);
     return row;
 }
 

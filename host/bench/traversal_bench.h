@@ -6,7 +6,7 @@
 
 namespace metamarch::bench {
 
-// Both trace the rays once, compare the hits with the judge's and only then measure. They throw
+// All trace the rays once, compare the hits with the judge's and only then measure. They throw
 // Error(comparisonFailed), saying how many rays differ, where the hits are not the judge's.
 Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
@@ -15,5 +15,10 @@ Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& 
 // `traversal` must have a twin.
 Row benchOnCpu(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                const Protocol& protocol);
+
+// The rows kFloor.
+Row benchFloorOnDevice(BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
+                       const render::SceneBuffers& buffers, const Protocol& protocol);
+Row benchFloorOnCpu(BenchScene& scene, const JudgedRays& rays, const Protocol& protocol);
 
 } // namespace metamarch::bench

@@ -34,8 +34,11 @@ bench::Protocol BenchOptions::protocol() const {
 
 glm::uvec2 BenchOptions::size() const { return parseSize("--size", sizeText); }
 
-bench::Origin originOf(const std::string& device, const std::string& driver) {
-    return {device, driver, gitCommit(), fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)))};
+bench::Origin BenchOptions::originOf(const std::string& device, const std::string& driver) const {
+    const glm::uvec2 pixels = size();
+    return {device, driver, gitCommit(), fmt::format("{:%F}", fmt::gmtime(std::time(nullptr))),
+            fmt::format("{} x {} pixels each view, at least {} runs and {} s each row", pixels.x, pixels.y,
+                        repeat, seconds)};
 }
 
 std::string jsonText(const bench::Origin& origin, const std::span<const bench::Row> rows) {

@@ -19,14 +19,15 @@ class BenchOptions {
     bench::Protocol protocol() const;
     glm::uvec2 size() const;
 
+    // Of rows measured now, with these options.
+    bench::Origin originOf(const std::string& device, const std::string& driver) const;
+
     std::string sizeText = "320x240";
 
   private:
     int repeat = 5;
     double seconds = 0.5;
 };
-
-bench::Origin originOf(const std::string& device, const std::string& driver);
 
 // The JSON of the rows, also where a driver calls its device by bytes that are no UTF-8.
 std::string jsonText(const bench::Origin& origin, std::span<const bench::Row> rows);

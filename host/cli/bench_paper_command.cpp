@@ -42,7 +42,7 @@ void runPaper(const PaperOptions& options) {
     makeFolder(folder);
     { const OutputFile probe(folder / "paper.json"); }
 
-    const bench::Origin origin = originOf(device.name(), device.report().driverInfo);
+    const bench::Origin origin = options.bench.originOf(device.name(), device.report().driverInfo);
     fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
                bench::definitions(), bench::textHeadings());
     std::vector<bench::Row> rows;

@@ -1,8 +1,10 @@
 #include "cli/bench_traversal_command.h"
 
 #include "bench/ray_file.h"
+#include "bench/results_page.h"
 #include "bench/traversal_bench.h"
 #include "cli/bench_options.h"
+#include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/warnings.h"
 #include "error.h"
@@ -26,23 +28,45 @@ namespace {
 struct TraversalOptions {
     std::vector<std::string> scenePaths;
     std::vector<std::string> rays;
-    std::vector<std::string> traversals;
+    std::vector<std::string> traversals;  // empty: the default
     std::vector<std::string> devices{""}; // the best one
     std::string jsonPath;
     std::string markdownPath;
     BenchOptions bench;
+    SceneOptions scene;
     StructureOptions structure;
 };
 
-// All but brute_force, which takes minutes where the others take milliseconds.
-std::vector<std::string> defaultTraversals() {
+// The traversals that are measured on `device`. By default all that it can run, which is said of the others,
+// but for brute_force, which takes minutes where they take milliseconds. Those asked for must run.
+std::vector<std::string> chooseTraversals(const vulkan::DeviceReport& device,
+                                          const std::vector<std::string>& askedFor) {
+    for (const std::string& traversal : askedFor) {
+        render::requireTraversal(device, traversal);
+    }
+    if (!askedFor.empty()) {
+        return askedFor;
+    }
     std::vector<std::string> names(traversals().begin(), traversals().end());
     std::erase(names, "brute_force");
+    std::erase_if(names, [&](const std::string& traversal) {
+        const std::vector<std::string> missing = render::missingFor(device, traversal);
+        if (!missing.empty()) {
+            fmt::print("{} is left out: {} lacks {}\n", traversal, device.name, fmt::join(missing, ", "));
+        }
+        return !missing.empty();
+    });
     return names;
 }
 
+// A device and what is measured on it.
+struct BenchDevice {
+    std::unique_ptr<vulkan::Device> device;
+    std::vector<std::string> traversals;
+};
+
 bool isRaySetName(const std::string& word) {
-    return std::ranges::find(bench::kRaySetNames, word) != bench::kRaySetNames.end();
+    return std::ranges::find(bench::kRaySets, word, &bench::RaySetKind::name) != bench::kRaySets.end();
 }
 
 // The rows as they come: printed at once, written in the end. Rows whose hits were not the judge's are left
@@ -72,14 +96,15 @@ class RowSink {
 };
 
 void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const glm::uvec2 size,
-                const std::vector<std::unique_ptr<vulkan::Device>>& devices, RowSink& sink) {
+                const std::vector<BenchDevice>& devices, RowSink& sink) {
     const bench::Protocol protocol = options.bench.protocol();
 #ifdef METAMARCH_EMBREE
     const bench::EmbreePeer embree(scene);
 #endif
     std::vector<std::unique_ptr<render::SceneBuffers>> buffers;
-    for (const auto& device : devices) {
-        buffers.push_back(std::make_unique<render::SceneBuffers>(*device, scene.structure, scene.shading));
+    for (const BenchDevice& used : devices) {
+        buffers.push_back(
+            std::make_unique<render::SceneBuffers>(*used.device, scene.structure, scene.shading));
     }
     for (const std::string& word : options.rays) {
         bench::RaySet set = isRaySetName(word)
@@ -88,15 +113,25 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
         const bench::JudgedRays rays = bench::judgeRays(
             scene, isRaySetName(word) ? word : std::filesystem::path(word).filename().string(), "",
             std::move(set));
+        // Where a floor's hits are not the judge's the triangle test itself differs, and all of it ends.
         for (std::size_t i = 0; i < devices.size(); ++i) {
-            for (const std::string& traversal : options.traversals) {
+            const bench::Row floor =
+                bench::benchFloorOnDevice(scene, rays, *devices[i].device, *buffers[i], protocol);
+            sink.add(floor);
+            for (const std::string& traversal : devices[i].traversals) {
                 sink.add([&] {
-                    return bench::benchOnDevice(scene, rays, traversal, *devices[i], *buffers[i], protocol);
+                    bench::Row row = bench::benchOnDevice(scene, rays, traversal, *devices[i].device,
+                                                          *buffers[i], protocol);
+                    bench::compareWithFloor(row, floor);
+                    return row;
                 });
             }
         }
 #ifdef METAMARCH_EMBREE
-        for (const bench::Row& row : embree.bench(rays, protocol)) {
+        const bench::Row floor = bench::benchFloorOnCpu(scene, rays, protocol);
+        sink.add(floor);
+        for (bench::Row& row : embree.bench(rays, protocol)) {
+            bench::compareWithFloor(row, floor);
             sink.add(row);
         }
 #endif
@@ -104,9 +139,8 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
 }
 
 // "all" or what --device takes, each once.
-std::vector<std::unique_ptr<vulkan::Device>> openDevices(const vulkan::Context& context,
-                                                         const std::vector<std::string>& selections) {
-    std::vector<std::string> names = selections;
+std::vector<BenchDevice> openDevices(const vulkan::Context& context, const TraversalOptions& options) {
+    std::vector<std::string> names = options.devices;
     if (names == std::vector<std::string>{"all"}) {
         names.clear();
         for (const vulkan::DeviceReport& report : vulkan::reportDevices(context)) {
@@ -115,21 +149,24 @@ std::vector<std::unique_ptr<vulkan::Device>> openDevices(const vulkan::Context& 
             }
         }
     }
-    std::vector<std::unique_ptr<vulkan::Device>> devices;
+    std::vector<BenchDevice> devices;
     for (const std::string& name : names) {
-        devices.push_back(std::make_unique<vulkan::Device>(context, name));
+        auto device = std::make_unique<vulkan::Device>(context, name);
+        std::vector<std::string> measured = chooseTraversals(device->report(), options.traversals);
+        devices.push_back({std::move(device), std::move(measured)});
     }
     return devices;
 }
 
-bench::Origin originOfAll(const std::vector<std::unique_ptr<vulkan::Device>>& devices) {
+bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDevice>& devices) {
     std::vector<std::string> names;
     std::vector<std::string> drivers;
-    for (const auto& device : devices) {
-        names.push_back(device->name());
-        drivers.push_back(device->report().driverInfo);
+    for (const BenchDevice& used : devices) {
+        names.push_back(used.device->name());
+        drivers.push_back(used.device->report().driverInfo);
     }
-    return originOf(fmt::format("{}", fmt::join(names, "; ")), fmt::format("{}", fmt::join(drivers, "; ")));
+    return options.originOf(fmt::format("{}", fmt::join(names, "; ")),
+                            fmt::format("{}", fmt::join(drivers, "; ")));
 }
 
 void runTraversal(const TraversalOptions& options) {
@@ -146,14 +183,14 @@ void runTraversal(const TraversalOptions& options) {
         }
     }
     const vulkan::Context context;
-    const std::vector<std::unique_ptr<vulkan::Device>> devices = openDevices(context, options.devices);
+    const std::vector<BenchDevice> devices = openDevices(context, options);
 
-    const bench::Origin origin = originOfAll(devices);
+    const bench::Origin origin = originOfAll(options.bench, devices);
     RowSink sink;
     fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
                bench::definitions(), bench::textHeadings());
     for (const std::string& path : options.scenePaths) {
-        Scene imported = loadScene(path, options.structure.scale());
+        Scene imported = loadScene(path, options.scene.parse());
         printWarnings(imported);
         bench::BenchScene scene(std::filesystem::path(path).filename().string(), std::move(imported),
                                 structureOptions);
@@ -164,7 +201,7 @@ void runTraversal(const TraversalOptions& options) {
         writeText(options.jsonPath, jsonText(origin, sink.rows));
     }
     if (!options.markdownPath.empty()) {
-        writeText(options.markdownPath, bench::toMarkdown(origin, sink.rows));
+        writeText(options.markdownPath, bench::resultsPage(origin, sink.rows));
     }
     if (!sink.refused.empty()) {
         throw Error(ExitCode::comparisonFailed,
@@ -178,19 +215,18 @@ void addBenchTraversalCommand(CLI::App& bench) {
     CLI::App* command =
         bench.add_subcommand("traversal", "Rays per second of every traversal, hits checked first");
     const auto options = std::make_shared<TraversalOptions>();
-    options->rays.assign(bench::kRaySetNames.begin(), bench::kRaySetNames.end());
-    options->traversals = defaultTraversals();
+    options->rays = bench::raySetNames();
     command->add_option("SCENE", options->scenePaths, "glTF, GLB, OBJ, PLY, OFF or STL files")->required();
     command
         ->add_option("--rays", options->rays,
                      fmt::format("Ray sets ({}) and files of six float32 a ray, origin and direction; with "
                                  "commas between (default: all sets)",
-                                 fmt::join(bench::kRaySetNames, " ")))
+                                 fmt::join(options->rays, " ")))
         ->type_name("NAME|FILE,...")
         ->delimiter(',');
     command
         ->add_option("--traversals", options->traversals,
-                     "Traversals, with commas between (default: all but brute_force)")
+                     "Traversals, with commas between (default: all that a device can run, but brute_force)")
         ->type_name("NAME,...")
         ->delimiter(',')
         ->check(CLI::IsMember(std::vector<std::string>(traversals().begin(), traversals().end())));
@@ -200,9 +236,10 @@ void addBenchTraversalCommand(CLI::App& bench) {
         ->type_name("INDEX|NAME,...")
         ->delimiter(',');
     command->add_option("--json", options->jsonPath, "Write the rows as JSON")->type_name("FILE");
-    command->add_option("--markdown", options->markdownPath, "Write the rows as a table for a README")
+    command->add_option("--markdown", options->markdownPath, "Write the rows as a page for a README")
         ->type_name("FILE");
     options->bench.addTo(*command);
+    options->scene.addTo(*command);
     options->structure.addTo(*command);
     command->footer("Example:\n  build/metamarch bench traversal scenes/objects.glb --rays close,diffuse "
                     "--traversals meta_table,kd_stack --size 160x120");

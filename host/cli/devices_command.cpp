@@ -32,6 +32,12 @@ std::string timestampText(const DeviceReport& report) {
     return fmt::format("{} bits, {} ns per tick", report.timestampValidBits, report.timestampPeriod);
 }
 
+std::string rayQueryText(const DeviceReport& report) {
+    return report.hasRayQuery() ? "yes"
+                                : fmt::format("no (only --traversal ray_query needs them): {}",
+                                              fmt::join(report.missingForRayQuery, ", "));
+}
+
 void printReport(const DeviceReport& report, bool isDefault) {
     fmt::print("{} {}  {}\n", isDefault ? "*" : " ", report.index, report.name);
     printLine("usable", usableText(report, isDefault));
@@ -41,6 +47,7 @@ void printReport(const DeviceReport& report, bool isDefault) {
     printLine("largest device-local heap", vulkan::byteText(report.deviceLocalHeapSize));
     printLine("maxMemoryAllocationSize", vulkan::byteText(report.maxMemoryAllocationSize));
     printLine("maxStorageBufferRange", vulkan::byteText(report.maxStorageBufferRange));
+    printLine("maxTexelBufferElements", fmt::to_string(report.maxTexelBufferElements));
     printLine("maxPerStageDescriptorStorageBuffers",
               fmt::to_string(report.maxPerStageDescriptorStorageBuffers));
     printLine("maxPushConstantsSize", vulkan::byteText(report.maxPushConstantsSize));
@@ -49,6 +56,7 @@ void printReport(const DeviceReport& report, bool isDefault) {
     printLine("maxComputeWorkGroupCount[0]", fmt::to_string(report.maxComputeWorkGroupCount[0]));
     printLine("subgroup size", fmt::to_string(report.subgroupSize));
     printLine("timestamps", timestampText(report));
+    printLine("ray queries", rayQueryText(report));
 }
 
 // Sizes in bytes.
@@ -65,6 +73,7 @@ nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
             {"deviceLocalHeapSize", report.deviceLocalHeapSize},
             {"maxMemoryAllocationSize", report.maxMemoryAllocationSize},
             {"maxStorageBufferRange", report.maxStorageBufferRange},
+            {"maxTexelBufferElements", report.maxTexelBufferElements},
             {"maxPerStageDescriptorStorageBuffers", report.maxPerStageDescriptorStorageBuffers},
             {"maxPushConstantsSize", report.maxPushConstantsSize},
             {"maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations},
@@ -72,7 +81,9 @@ nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
             {"maxComputeWorkGroupCount", report.maxComputeWorkGroupCount},
             {"subgroupSize", report.subgroupSize},
             {"timestampValidBits", report.timestampValidBits},
-            {"timestampPeriod", report.timestampPeriod}};
+            {"timestampPeriod", report.timestampPeriod},
+            {"rayQuery", report.hasRayQuery()},
+            {"missingForRayQuery", report.missingForRayQuery}};
 }
 
 void runDevices(bool json) {

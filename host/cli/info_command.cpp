@@ -1,5 +1,6 @@
 #include "cli/info_command.h"
 
+#include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
 #include "cli/warnings.h"
@@ -14,6 +15,7 @@ namespace {
 
 struct InfoOptions {
     std::string scenePath;
+    SceneOptions scene;
     StructureOptions structure;
     bool json = false;
 };
@@ -43,10 +45,11 @@ void printText(const nlohmann::ordered_json& report) {
     line("kd-tree", fmt::format("{} nodes, depth {}", count("tree", "nodes"), count("tree", "depth")));
     line("leaves", fmt::format("{} with {} triangle references, {} empty", count("tree", "leaves"),
                                count("tree", "references"), count("tree", "emptyLeaves")));
-    line("memory", fmt::format("tree {:.1f} MiB, table {:.1f} MiB, triangles {:.1f} MiB",
-                               static_cast<double>(count("bytes", "tree")) / 0x1p20,
-                               static_cast<double>(count("bytes", "table")) / 0x1p20,
-                               static_cast<double>(count("bytes", "triangles")) / 0x1p20));
+    line("table", fmt::format("{} cells, {} leaves", count("table", "cells"), count("table", "leaves")));
+    const auto mebibytes = [&](const char* key) { return static_cast<double>(count("bytes", key)) / 0x1p20; };
+    line("memory",
+         fmt::format("tree {:.1f} MiB, table {:.1f} MiB, exit boxes {:.1f} MiB, triangles {:.1f} MiB",
+                     mebibytes("tree"), mebibytes("table"), mebibytes("exitBoxes"), mebibytes("triangles")));
     line("built in",
          fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
                      seconds("table"), report["trianglesPerSecond"].get<double>()));
@@ -54,7 +57,7 @@ void printText(const nlohmann::ordered_json& report) {
 
 void runInfo(const InfoOptions& options) {
     const AccelerationOptions structureOptions = options.structure.parse();
-    const Scene scene = loadScene(options.scenePath, options.structure.scale());
+    const Scene scene = loadScene(options.scenePath, options.scene.parse());
     printWarnings(scene);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
     printWarnings(scene, structure);
@@ -74,6 +77,7 @@ void addInfoCommand(CLI::App& program) {
     const auto options = std::make_shared<InfoOptions>();
     command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
     command->add_flag("--json", options->json, "Print JSON");
+    options->scene.addTo(*command);
     options->structure.addTo(*command);
     command->footer("Example:\n  build/metamarch info scenes/objects.glb --cells 100000");
     command->callback([options] { runInfo(*options); });

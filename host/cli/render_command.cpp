@@ -2,6 +2,7 @@
 
 #include "cli/number_list.h"
 #include "cli/progress.h"
+#include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
 #include "cli/version.h"
@@ -43,6 +44,7 @@ struct RenderOptions {
     std::string device;
     std::string traversal;
     std::string integrator = "primary";
+    SceneOptions scene;
     StructureOptions structure;
     std::string statsPath;
     bool quiet = false;
@@ -204,23 +206,25 @@ void runRender(const RenderOptions& options) {
         }
     }
 
+    const std::string traversal =
+        options.traversal.empty() ? std::string(traversals().front()) : options.traversal;
+
     // Before the long work, what can go wrong without it.
     std::optional<vulkan::Context> context;
     std::optional<vulkan::Device> device;
     if (options.backend == "gpu") {
         context.emplace();
         device.emplace(*context, options.device);
+        render::requireTraversal(device->report(), traversal);
     }
 
-    const Scene scene = loadScene(options.scenePath, options.structure.scale());
+    const Scene scene = loadScene(options.scenePath, options.scene.parse());
     printWarnings(scene);
     const SceneCamera sceneCamera = chooseCamera(options, scene, size);
     const Camera camera = makeCamera(sceneCamera, size.x, size.y);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
     printWarnings(scene, structure);
     const ShadingData shading = makeShadingData(scene);
-    const std::string traversal =
-        options.traversal.empty() ? std::string(traversals().front()) : options.traversal;
     const Rendering rendering =
         device ? renderOnGpu(*device, structure, shading, traversal, camera, options.quiet)
                : renderOnCpu(structure, shading, camera, options.quiet);
@@ -289,6 +293,7 @@ void addRenderCommand(CLI::App& program) {
         ->check(CLI::IsMember({"primary"}))
         ->capture_default_str()
         ->group(deviceGroup);
+    options->scene.addTo(*command);
     options->structure.addTo(*command);
     command->footer(
         "Pixel (0,0) is top left; rays go through pixel centres.\n\n"

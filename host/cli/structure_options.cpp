@@ -1,5 +1,6 @@
 #include "cli/structure_options.h"
 
+#include "accel/partition_file.h"
 #include "cli/number_list.h"
 #include "error.h"
 #include "shared/kd_node.h"
@@ -7,13 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace metamarch::cli {
 
 void StructureOptions::addTo(CLI::App& command) {
     const std::string group = "Tree and table";
-    command.add_option("--scale", scaleFactor, "Multiply the scene by S")->type_name("S")->group(group);
     command
         .add_option("--tree-depth", treeDepth,
                     "Deepest level of the kd-tree (default: from the triangle count)")
@@ -23,13 +22,31 @@ void StructureOptions::addTo(CLI::App& command) {
         command.add_option("--unit", unit, "Unit length of the lattice in scene units, one or one per axis")
             ->type_name("U|Ux,Uy,Uz")
             ->group(group);
+    CLI::Option* const cellsOption =
+        command
+            .add_option("--cells", cells,
+                        "About how many cells the lattice has (default: from the triangle count)")
+            ->type_name("N")
+            ->excludes(unitOption)
+            ->group(group);
+    CLI::Option* const mergeOption =
+        command.add_flag("--merge", merge, "Merge leaves of the table where that costs a ray no more")
+            ->group(group);
     command
-        .add_option("--cells", cells,
-                    "About how many cells the lattice has (default: from the triangle count)")
-        ->type_name("N")
+        .add_option("--partition", partitionPath,
+                    "March these boxes of whole cells in place of the kd-tree's leaves")
+        ->type_name("FILE.json")
         ->excludes(unitOption)
+        ->excludes(cellsOption)
+        ->excludes(mergeOption)
         ->group(group);
-    command.add_option("--preset", preset, "paper: kd-tree depth 16, as in the paper's experiment")
+    command
+        .add_flag("--no-exit-boxes", noExitBoxes,
+                  "Leave each leaf by its own box, not by one grown over neighbours")
+        ->group(group);
+    command
+        .add_option("--preset", preset,
+                    "paper: kd-tree depth 16 and no exit boxes, as in the paper's experiment")
         ->type_name("NAME")
         ->check(CLI::IsMember({"paper"}))
         ->group(group);
@@ -56,19 +73,16 @@ AccelerationOptions StructureOptions::parse() const {
         options.cells = static_cast<std::uint64_t>(std::min(*cells, 0x1p62)); // far over the limit
     }
     options.treeDepth = treeDepth;
-    if (preset == "paper" && !treeDepth) {
-        options.treeDepth = kPaperTreeDepth;
+    options.exitBoxes = !noExitBoxes;
+    options.mergeLeaves = merge;
+    if (!partitionPath.empty()) {
+        options.partition = readPartition(partitionPath);
+    }
+    if (preset == "paper") {
+        options.treeDepth = treeDepth.value_or(kPaperTreeDepth);
+        options.exitBoxes = false;
     }
     return options;
-}
-
-float StructureOptions::scale() const {
-    const auto factor = static_cast<float>(scaleFactor);
-    if (!std::isfinite(factor) || factor == 0.0f) {
-        throw Error(ExitCode::badArguments,
-                    fmt::format("--scale {}: give a finite number other than 0", scaleFactor));
-    }
-    return factor;
 }
 
 } // namespace metamarch::cli

@@ -13,16 +13,17 @@ class StructureOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range.
+    // Throws Error(badArguments) for values out of range and what readPartition throws.
     AccelerationOptions parse() const;
-    float scale() const; // finite, not zero
 
   private:
-    double scaleFactor = 1.0;
     std::string unit;
     std::string preset;
     std::optional<double> cells; // as a number: an unsigned integer would take -5 for 2^64 - 5
     std::optional<unsigned> treeDepth;
+    bool noExitBoxes = false;
+    bool merge = false;
+    std::string partitionPath;
 };
 
 } // namespace metamarch::cli

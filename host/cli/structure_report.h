@@ -7,9 +7,10 @@
 namespace metamarch::cli {
 
 // Keys: vertices triangles degenerateTriangles bounds.min bounds.max lattice.resolution lattice.unit
-// table.cells tree.nodes tree.leaves tree.emptyLeaves tree.references tree.depth bytes.tree bytes.table
-// bytes.triangles seconds.tree seconds.table trianglesPerSecond; a dot opens an object. tree.leaves counts
-// the leaves that hold triangles, tree.emptyLeaves the others. bounds are null without triangles.
+// table.cells table.leaves tree.nodes tree.leaves tree.emptyLeaves tree.references tree.depth bytes.tree
+// bytes.table bytes.exitBoxes bytes.triangles seconds.tree seconds.table trianglesPerSecond; a dot opens an
+// object. tree.leaves counts the leaves that hold triangles, tree.emptyLeaves the others; the table's are all
+// of them, unless it has leaves of its own. bounds are null without triangles.
 nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStructure& structure);
 
 } // namespace metamarch::cli

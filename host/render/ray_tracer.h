@@ -1,9 +1,7 @@
 // Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
 #pragma once
+#include "render/ray_batches.h"
 #include "render/scene_buffers.h"
-#include "render/work_size.h"
-#include "shared/ray_query.h"
-#include "vulkan/submission.h"
 
 #include <span>
 #include <string>
@@ -19,18 +17,13 @@ class RayTracer {
     // One result per ray, in their order. Throws Error(outOfMemory) where the driver cuts a traversal short.
     std::vector<RayResult> trace(std::span<const RayQuery> rays);
 
-    // What the last call of trace() took on the device, without transfers and without its first submission of
-    // one workgroup, which may compile.
-    double deviceSeconds() const { return seconds; }
+    // RayBatches::deviceSeconds of the last call of trace().
+    double deviceSeconds() const { return batches.deviceSeconds(); }
 
   private:
-    std::vector<RayResult> traceBatch(std::span<const RayQuery> rays);
-
     const vulkan::Device& device;
-    vulkan::ComputePipeline pipeline;
-    vulkan::Submission submission;
-    WorkSize work;
-    double seconds = 0.0;
+    std::string traversal;
+    RayBatches batches;
 };
 
 } // namespace metamarch::render

@@ -1,7 +1,7 @@
 #include "render/scene_buffers.h"
 
+#include "accel/triangle_box.h"
 #include "error.h"
-#include "shader_library.h"
 #include "vulkan/byte_text.h"
 #include "vulkan/transfer.h"
 
@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::uint64_t kRecordBytes = sizeof(TriangleRecord);
 
-const Shader& findShader(const std::string& kernel, const std::string& traversal) {
+const Shader& findShader(const std::string& kernel, const std::string& traversal, const Memory memory) {
     for (const Shader& shader : shaders()) {
-        if (shader.kernel == kernel && shader.traversal == traversal) {
+        if (shader.kernel == kernel && shader.traversal == traversal && shader.memory == memory) {
             return shader;
         }
     }
@@ -25,76 +25,115 @@ const Shader& findShader(const std::string& kernel, const std::string& traversal
                                                     traversal, fmt::join(traversals(), ", ")));
 }
 
-// What a traversal's structure consists of on the device.
-struct StructureParts {
-    std::string_view name; // in shaders/CMakeLists.txt
-    TriangleOrder order;
-    std::vector<std::uint32_t> bindings;
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+} // namespace
+
+// A buffer of a traversal's structure, which several structures may share.
+struct StructurePart {
+    const char* name;
+    std::uint32_t binding;
+    vk::Format format; // of an entry; undefined for constants, which lie in a uniform buffer
+    std::span<const std::byte> (*data)(const StructureSet& set);
 };
 
-const StructureParts& findStructure(const std::string_view name) {
-    static const StructureParts kStructures[] = {
-        {"meta_table", TriangleOrder::kdLeaves, {kBindLeaves, kBindTable}},
-        {"kd_tree", TriangleOrder::kdLeaves, {kBindLeaves, kBindKdNodes}},
-        {"kd_parents", TriangleOrder::kdLeaves, {kBindLeaves, kBindKdNodes, kBindKdParents}},
-        {"kd_ropes", TriangleOrder::kdLeaves, {kBindLeaves, kBindKdNodes, kBindKdRopes}},
-        {"bvh", TriangleOrder::bvhLeaves, {kBindBvhNodes}},
-        {"uniform_grid", TriangleOrder::gridCells, {kBindGrid, kBindGridCells}},
-        {"triangles", TriangleOrder::ascending, {}},
+namespace {
+
+constexpr vk::Format kOneWord = vk::Format::eR32Uint;
+constexpr vk::Format kTwoWords = vk::Format::eR32G32Uint;
+constexpr vk::Format kFourWords = vk::Format::eR32G32B32A32Uint;
+
+constexpr StructurePart kTreeLeaves = {"leaves", kBindLeaves, kFourWords, [](const StructureSet& set) {
+                                           return bytesOf(set.kdTree().tree.leaves);
+                                       }};
+constexpr StructurePart kExitBoxes = {"exit boxes", kBindLeaves, kFourWords, [](const StructureSet& set) {
+                                          return bytesOf(set.kdTree().table.leaves);
+                                      }};
+constexpr StructurePart kTable = {"meta table", kBindTable, kOneWord, [](const StructureSet& set) {
+                                      return bytesOf(set.kdTree().table.leafOfCell);
+                                  }};
+constexpr StructurePart kKdNodes = {"kd-tree nodes", kBindKdNodes, kTwoWords,
+                                    [](const StructureSet& set) { return bytesOf(set.kdTree().tree.nodes); }};
+constexpr StructurePart kKdParents = {"kd-tree parents", kBindKdParents, kFourWords,
+                                      [](const StructureSet& set) { return bytesOf(set.kdParents()); }};
+constexpr StructurePart kKdRopes = {"kd-tree ropes", kBindKdRopes, kOneWord,
+                                    [](const StructureSet& set) { return bytesOf(set.kdRopes()); }};
+constexpr StructurePart kBvhNodes = {"BVH nodes", kBindBvhNodes, kFourWords,
+                                     [](const StructureSet& set) { return bytesOf(set.bvh().nodes); }};
+constexpr StructurePart kGrid = {"grid", kBindGrid, vk::Format::eUndefined, [](const StructureSet& set) {
+                                     return std::as_bytes(std::span(&set.uniformGrid().grid, 1));
+                                 }};
+constexpr StructurePart kGridCells = {"grid cells", kBindGridCells, kTwoWords, [](const StructureSet& set) {
+                                          return bytesOf(set.uniformGrid().cells);
+                                      }};
+
+using Triangles = std::span<const TriangleRecord>;
+
+Triangles inTreeLeaves(const StructureSet& set) { return set.kdTree().triangles; }
+Triangles inTableLeaves(const StructureSet& set) { return set.kdTree().tableTriangles(); }
+
+// What a traversal walks, and in which order the triangle records lie.
+struct Structure {
+    std::string_view name; // in shaders/CMakeLists.txt
+    Triangles (*triangles)(const StructureSet& set);
+    std::vector<const StructurePart*> parts;
+    bool inBoxes = false; // the driver walks a hierarchy of its own over the records' boxes
+};
+
+const Structure& findStructure(const std::string_view name) {
+    static const Structure kStructures[] = {
+        {"meta_table", inTableLeaves, {&kExitBoxes, &kTable}},
+        {"kd_tree", inTreeLeaves, {&kTreeLeaves, &kKdNodes}},
+        {"kd_parents", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdParents}},
+        {"kd_ropes", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdRopes}},
+        {"bvh", [](const StructureSet& set) -> Triangles { return set.bvh().triangles; }, {&kBvhNodes}},
+        {"uniform_grid",
+         [](const StructureSet& set) -> Triangles { return set.uniformGrid().triangles; },
+         {&kGrid, &kGridCells}},
+        {"triangles", [](const StructureSet& set) -> Triangles { return set.triangles(); }, {}},
+        {"leaf_triangles", inTreeLeaves, {}},
+        {"boxes", [](const StructureSet& set) -> Triangles { return set.spatialTriangles(); }, {}, true},
     };
-    const auto found = std::ranges::find(kStructures, name, &StructureParts::name);
+    const auto found = std::ranges::find(kStructures, name, &Structure::name);
     if (found == std::end(kStructures)) {
         throw std::logic_error(fmt::format("no structure '{}'", name));
     }
     return *found;
 }
 
-// What lies behind a binding of some structure.
-struct Content {
-    std::span<const std::byte> data;
-    const char* name;
-};
-
-Content contentOf(const StructureSet& set, const std::uint32_t binding) {
-    switch (binding) {
-    case kBindLeaves:
-        return {std::as_bytes(std::span(set.kdTree().tree.leaves)), "leaves"};
-    case kBindTable:
-        return {std::as_bytes(std::span(set.kdTree().leafOfCell)), "meta table"};
-    case kBindKdNodes:
-        return {std::as_bytes(std::span(set.kdTree().tree.nodes)), "kd-tree nodes"};
-    case kBindKdParents:
-        return {std::as_bytes(std::span(set.kdParents())), "kd-tree parents"};
-    case kBindKdRopes:
-        return {std::as_bytes(std::span(set.kdRopes())), "kd-tree ropes"};
-    case kBindBvhNodes:
-        return {std::as_bytes(std::span(set.bvh().nodes)), "BVH nodes"};
-    case kBindGrid:
-        return {std::as_bytes(std::span(&set.uniformGrid().grid, 1)), "grid"};
-    case kBindGridCells:
-        return {std::as_bytes(std::span(set.uniformGrid().cells)), "grid cells"};
-    default:
-        throw std::logic_error(fmt::format("no structure has binding {}", binding));
-    }
+std::vector<vk::AabbPositionsKHR> boxesAround(const Lattice& lattice, const Triangles triangles) {
+    std::vector<vk::AabbPositionsKHR> boxes(triangles.size());
+    std::ranges::transform(triangles, boxes.begin(), [&](const TriangleRecord& triangle) {
+        const Box box = boxOf(lattice, triangle);
+        const vec3 lo = lowCorner(box);
+        const vec3 hi = highCorner(box);
+        return vk::AabbPositionsKHR(lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+    });
+    return boxes;
 }
-
-std::span<const TriangleRecord> recordsIn(const StructureSet& set, const TriangleOrder order) {
-    switch (order) {
-    case TriangleOrder::kdLeaves:
-        return set.kdTree().triangles;
-    case TriangleOrder::bvhLeaves:
-        return set.bvh().triangles;
-    case TriangleOrder::gridCells:
-        return set.uniformGrid().triangles;
-    case TriangleOrder::ascending:
-        return set.triangles();
-    }
-    throw std::logic_error("no such order of triangles");
-}
-
-bool isUniform(const std::uint32_t binding) { return binding == kBindLattice || binding == kBindGrid; }
 
 } // namespace
+
+std::vector<std::string> missingFor(const vulkan::DeviceReport& device, const std::string_view traversal) {
+    const auto shader = std::ranges::find(shaders(), traversal, &Shader::traversal);
+    const bool inBoxes = shader != shaders().end() && findStructure(shader->structure).inBoxes;
+    return inBoxes ? device.missingForRayQuery : std::vector<std::string>();
+}
+
+void requireTraversal(const vulkan::DeviceReport& device, const std::string_view traversal) {
+    const std::vector<std::string> missing = missingFor(device, traversal);
+    if (!missing.empty()) {
+        throw Error(ExitCode::noDevice, fmt::format("--traversal {}: {} lacks {}", traversal, device.name,
+                                                    fmt::join(missing, ", ")));
+    }
+}
+
+Memory fasterMemory(const vulkan::DeviceReport& device) {
+    return device.driver == "llvmpipe" ? Memory::texel : Memory::storage;
+}
 
 TriangleChunks chunkTriangles(const std::uint64_t recordCount, const std::uint64_t maxStorageBufferRange) {
     const std::uint64_t perChunk = std::min<std::uint64_t>(maxStorageBufferRange / kRecordBytes, 0xffffffffu);
@@ -111,21 +150,28 @@ TriangleChunks chunkTriangles(const std::uint64_t recordCount, const std::uint64
 
 SceneBuffers::SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
                            const ShadingData& shading)
-    : SceneBuffers(device, structure, shading, device.report().maxStorageBufferRange) {}
+    : SceneBuffers(device, structure, shading, fasterMemory(device.report()),
+                   device.report().maxStorageBufferRange) {}
 
 SceneBuffers::SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
                            const ShadingData& shading, const std::uint64_t maxStorageBufferRange)
-    : maxRange(maxStorageBufferRange), set(std::make_unique<StructureSet>(structure)) {
-    add(device, kBindLattice, std::as_bytes(std::span(&structure.lattice, 1)), "lattice");
-    add(device, kBindMaterialOfTriangle, std::as_bytes(std::span(shading.materialOfTriangle)),
-        "material of triangle");
-    add(device, kBindMaterials, std::as_bytes(std::span(shading.materials)), "materials");
+    : SceneBuffers(device, structure, shading, Memory::storage, maxStorageBufferRange) {}
+
+SceneBuffers::SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
+                           const ShadingData& shading, const Memory usedMemory,
+                           const std::uint64_t maxStorageBufferRange)
+    : memory(usedMemory), maxRange(maxStorageBufferRange), set(std::make_unique<StructureSet>(structure)) {
+    const auto add = [&](const std::uint32_t binding, const std::span<const std::byte> data,
+                         const char* name) { buffers.emplace(binding, upload(device, data, name)); };
+    add(kBindLattice, std::as_bytes(std::span(&structure.lattice, 1)), "lattice");
+    add(kBindMaterialOfTriangle, bytesOf(shading.materialOfTriangle), "material of triangle");
+    add(kBindMaterials, bytesOf(shading.materials), "materials");
     addStructure(device, shaders().front().structure);
 }
 
 vulkan::Buffer SceneBuffers::upload(const vulkan::Device& device, const std::span<const std::byte> data,
                                     const char* name) const {
-    if (data.size() > maxRange) {
+    if (memory == Memory::storage && data.size() > maxRange) {
         throw Error(ExitCode::outOfMemory,
                     fmt::format("the scene's {} takes {}, more than this device's maxStorageBufferRange "
                                 "({}); choose a smaller --tree-depth or --cells",
@@ -134,62 +180,87 @@ vulkan::Buffer SceneBuffers::upload(const vulkan::Device& device, const std::spa
     return vulkan::upload(device, data, name);
 }
 
-void SceneBuffers::add(const vulkan::Device& device, const std::uint32_t binding,
-                       const std::span<const std::byte> data, const char* name) const {
-    buffers.emplace(binding, upload(device, data, name));
+SceneBuffers::TriangleBuffers SceneBuffers::uploadTriangles(const vulkan::Device& device,
+                                                            const Triangles records) const {
+    if (memory == Memory::texel) {
+        TriangleBuffers whole{{1, 0xffffffffu}, {}};
+        whole.buffers.push_back(upload(device, std::as_bytes(records), "triangles"));
+        return whole;
+    }
+    TriangleBuffers cut{chunkTriangles(records.size(), maxRange), {}};
+    for (std::uint32_t i = 0; i < kTriangleChunks; ++i) {
+        const std::size_t first =
+            std::min<std::size_t>(records.size(), std::size_t{i} * cut.chunks.triangles);
+        const std::size_t count = std::min<std::size_t>(records.size() - first, cut.chunks.triangles);
+        cut.buffers.push_back(upload(device, std::as_bytes(records.subspan(first, count)), "triangles"));
+    }
+    return cut;
 }
 
-void SceneBuffers::addStructure(const vulkan::Device& device, const std::string_view structure) const {
-    const StructureParts& parts = findStructure(structure);
-    if (!triangles.contains(parts.order)) {
-        const std::span<const TriangleRecord> records = recordsIn(*set, parts.order);
-        TriangleBuffers added{chunkTriangles(records.size(), maxRange), {}};
-        for (std::uint32_t i = 0; i < kTriangleChunks; ++i) {
-            const std::size_t first =
-                std::min<std::size_t>(records.size(), std::size_t{i} * added.chunks.triangles);
-            const std::size_t count = std::min<std::size_t>(records.size() - first, added.chunks.triangles);
-            added.buffers.push_back(
-                upload(device, std::as_bytes(records.subspan(first, count)), "triangles"));
-        }
-        triangles.emplace(parts.order, std::move(added));
+void SceneBuffers::addStructure(const vulkan::Device& device, const std::string_view name) const {
+    const Structure& structure = findStructure(name);
+    const Triangles records = structure.triangles(*set);
+    if (!triangles.contains(records.data())) {
+        triangles.emplace(records.data(), uploadTriangles(device, records));
     }
-    for (const std::uint32_t binding : parts.bindings) {
-        if (!buffers.contains(binding)) {
-            const Content content = contentOf(*set, binding);
-            add(device, binding, content.data, content.name);
+    for (const StructurePart* const part : structure.parts) {
+        if (!parts.contains(part)) {
+            parts.emplace(part, upload(device, part->data(*set), part->name));
         }
+    }
+    if (structure.inBoxes && !boxes) {
+        boxes.emplace(device, boxesAround(set->kdTree().lattice, records), "box hierarchy");
     }
 }
 
 vulkan::ComputePipeline SceneBuffers::makePipeline(const vulkan::Device& device, const std::string& kernel,
                                                    const std::string& traversal,
                                                    vulkan::KernelInfo own) const {
-    const Shader& shader = findShader(kernel, traversal);
+    const Shader& shader = findShader(kernel, traversal, memory);
+    requireTraversal(device.report(), traversal);
     addStructure(device, shader.structure);
-    const StructureParts& parts = findStructure(shader.structure);
-    const TriangleBuffers& records = triangles.at(parts.order);
+    const Structure& structure = findStructure(shader.structure);
+    const TriangleBuffers& records = triangles.at(structure.triangles(*set).data());
 
-    std::vector<std::pair<std::uint32_t, const vulkan::Buffer*>> used;
-    for (const std::uint32_t binding : {kBindLattice, kBindMaterialOfTriangle, kBindMaterials}) {
-        used.emplace_back(binding, &buffers.at(binding));
-    }
-    for (const std::uint32_t binding : parts.bindings) {
-        used.emplace_back(binding, &buffers.at(binding));
-    }
-    for (std::uint32_t i = 0; i < kTriangleChunks; ++i) {
-        used.emplace_back(kBindTriangles + i, &records.buffers[i]);
-    }
-
-    own.name = kernel + "." + traversal;
+    own.name = traversal.empty() ? kernel : kernel + "." + traversal;
     own.spirv = shader.spirv;
-    for (const auto& [binding, buffer] : used) {
-        (isUniform(binding) ? own.uniformBindings : own.storageBindings).push_back(binding);
+    own.uniformBindings.push_back(kBindLattice);
+    own.storageBindings.push_back(kBindMaterialOfTriangle);
+    own.storageBindings.push_back(kBindMaterials);
+    for (const StructurePart* const part : structure.parts) {
+        if (part->format == vk::Format::eUndefined) {
+            own.uniformBindings.push_back(part->binding);
+        } else {
+            own.texelBindings.emplace(part->binding, part->format);
+        }
     }
-    own.specialization[kSpecTriangleChunks] = records.chunks.count;
-    own.specialization[kSpecTrianglesPerChunk] = records.chunks.triangles;
+    for (std::uint32_t i = 0; i < records.buffers.size(); ++i) {
+        own.texelBindings.emplace(kBindTriangles + i, kFourWords);
+    }
+    if (structure.inBoxes) {
+        own.hierarchyBindings.push_back(kBindBoxes);
+    }
+    if (memory == Memory::storage) {
+        for (const auto& [binding, format] : own.texelBindings) {
+            own.storageBindings.push_back(binding);
+        }
+        own.texelBindings.clear();
+        own.specialization[kSpecTriangleChunks] = records.chunks.count;
+        own.specialization[kSpecTrianglesPerChunk] = records.chunks.triangles;
+    }
+
     vulkan::ComputePipeline pipeline(device, own);
-    for (const auto& [binding, buffer] : used) {
-        pipeline.bind(binding, *buffer);
+    for (const auto& [binding, buffer] : buffers) {
+        pipeline.bind(binding, buffer);
+    }
+    for (const StructurePart* const part : structure.parts) {
+        pipeline.bind(part->binding, parts.at(part));
+    }
+    for (std::uint32_t i = 0; i < records.buffers.size(); ++i) {
+        pipeline.bind(kBindTriangles + i, records.buffers[i]);
+    }
+    if (structure.inBoxes) {
+        pipeline.bind(kBindBoxes, *boxes);
     }
     return pipeline;
 }
@@ -199,12 +270,15 @@ std::uint64_t SceneBuffers::bytes() const {
     for (const auto& [binding, buffer] : buffers) {
         total += buffer.size();
     }
-    for (const auto& [order, records] : triangles) {
+    for (const auto& [part, buffer] : parts) {
+        total += buffer.size();
+    }
+    for (const auto& [first, records] : triangles) {
         for (const vulkan::Buffer& buffer : records.buffers) {
             total += buffer.size();
         }
     }
-    return total;
+    return total + (boxes ? boxes->size() : 0);
 }
 
 } // namespace metamarch::render

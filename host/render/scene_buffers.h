@@ -2,12 +2,15 @@
 #pragma once
 #include "accel/structure_set.h"
 #include "scene/shading.h"
+#include "shader_library.h"
+#include "vulkan/box_hierarchy.h"
 #include "vulkan/buffer.h"
 #include "vulkan/compute_pipeline.h"
 
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,8 +24,17 @@ struct TriangleChunks {
     std::uint32_t triangles; // records in each chunk but the last
 };
 
-// The orders that triangle records lie in, one copy on the device for each in use.
-enum class TriangleOrder { kdLeaves, bvhLeaves, gridCells, ascending };
+struct StructurePart;
+
+// Texel buffers where they are read faster: on llvmpipe. Elsewhere storage buffers, which every device has
+// room in.
+Memory fasterMemory(const vulkan::DeviceReport& device);
+
+// The extensions and features that `device` lacks for `traversal`; empty: it can run it.
+std::vector<std::string> missingFor(const vulkan::DeviceReport& device, std::string_view traversal);
+
+// Throws Error(noDevice), naming what is missing, where `device` cannot run `traversal`.
+void requireTraversal(const vulkan::DeviceReport& device, std::string_view traversal);
 
 // Throws Error(outOfMemory), naming the limit, where kTriangleChunks chunks do not suffice.
 TriangleChunks chunkTriangles(std::uint64_t recordCount, std::uint64_t maxStorageBufferRange);
@@ -35,13 +47,16 @@ class SceneBuffers {
     SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
                  const ShadingData& shading);
 
-    // The same with at most `maxStorageBufferRange` bytes in a buffer: for tests, the device having more.
+    // The same in storage buffers of at most `maxStorageBufferRange` bytes: for tests, the device having
+    // more.
     SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
                  const ShadingData& shading, std::uint64_t maxStorageBufferRange);
 
-    // The pipeline of `kernel` with `traversal`, specialized for this scene and with its buffers bound.
-    // `own` holds what the kernel has besides the scene: bindings, which the caller binds, push constants and
-    // specialization constants. Throws as the constructor does. Not from two threads at a time.
+    // The pipeline of `kernel` with `traversal`, empty where the kernel needs none, specialized for this
+    // scene and with its buffers bound. `own` holds what the kernel has besides the scene: bindings, which
+    // the caller binds, push constants and specialization constants; its texelBindings are those that the
+    // shader declares by lib/memory.glsl, whatever memory that is. Throws as the constructor does. Not from
+    // two threads at a time.
     vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const std::string& kernel,
                                          const std::string& traversal, vulkan::KernelInfo own) const;
 
@@ -53,20 +68,26 @@ class SceneBuffers {
   private:
     struct TriangleBuffers {
         TriangleChunks chunks;
-        std::vector<vulkan::Buffer> buffers; // kTriangleChunks of them, the last ones empty
+        std::vector<vulkan::Buffer> buffers; // kTriangleChunks of them, the last ones empty; of texels one
     };
+
+    SceneBuffers(const vulkan::Device& device, const AccelerationStructure& structure,
+                 const ShadingData& shading, Memory usedMemory, std::uint64_t maxStorageBufferRange);
 
     vulkan::Buffer upload(const vulkan::Device& device, std::span<const std::byte> data,
                           const char* name) const;
-    void add(const vulkan::Device& device, std::uint32_t binding, std::span<const std::byte> data,
-             const char* name) const;
+    TriangleBuffers uploadTriangles(const vulkan::Device& device,
+                                    std::span<const TriangleRecord> records) const;
     void addStructure(const vulkan::Device& device, std::string_view structure) const;
 
-    std::uint64_t maxRange;
+    Memory memory;
+    std::uint64_t maxRange; // bytes that a storage binding sees
     std::unique_ptr<StructureSet> set;
+    std::map<std::uint32_t, vulkan::Buffer> buffers; // [binding], what every structure has
     // What has been needed so far.
-    mutable std::map<std::uint32_t, vulkan::Buffer> buffers; // [binding], but for triangles
-    mutable std::map<TriangleOrder, TriangleBuffers> triangles;
+    mutable std::map<const StructurePart*, vulkan::Buffer> parts;
+    mutable std::optional<vulkan::BoxHierarchy> boxes;
+    mutable std::map<const TriangleRecord*, TriangleBuffers> triangles; // [first record], one for each order
 };
 
 } // namespace metamarch::render

@@ -22,10 +22,17 @@ vk::BufferUsageFlags usageOf(BufferUse use) {
         return Usage::eTransferSrc;
     case BufferUse::readback:
         return Usage::eTransferDst;
+    case BufferUse::hierarchyInput:
+        return Usage::eAccelerationStructureBuildInputReadOnlyKHR | Usage::eShaderDeviceAddress |
+               Usage::eTransferDst;
+    case BufferUse::hierarchy:
+        return Usage::eAccelerationStructureStorageKHR | Usage::eShaderDeviceAddress;
+    case BufferUse::scratch:
+        return Usage::eStorageBuffer | Usage::eShaderDeviceAddress;
     case BufferUse::storage:
         break;
     }
-    return Usage::eStorageBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+    return Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
 }
 
 // What the memory should have, the best first. Vulkan guarantees that the last one exists.
@@ -37,10 +44,9 @@ std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
         return {host};
     case BufferUse::readback:
         return {host | Memory::eHostCached, host};
-    case BufferUse::storage:
-        break;
+    default:
+        return {Memory::eDeviceLocal};
     }
-    return {Memory::eDeviceLocal};
 }
 
 // Of equals Vulkan lists the faster first.
@@ -81,9 +87,15 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
         if (needs.size > heapSize) {
             refuseSize(device, name_, size, fmt::format("is over the memory heap, {}", byteText(heapSize)));
         }
-        memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type)};
+        const bool addressed = static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
+        const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
+        memory_ = {device.handle(),
+                   vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
         buffer_.bindMemory(*memory_, 0);
-        if (use != BufferUse::storage) {
+        if (addressed) {
+            address_ = device.handle().getBufferAddress(*buffer_);
+        }
+        if (use == BufferUse::upload || use == BufferUse::readback) {
             mapped_ = {static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE)), size};
         }
     } catch (const vk::OutOfDeviceMemoryError&) {

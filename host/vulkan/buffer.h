@@ -13,6 +13,10 @@ enum class BufferUse {
     storage,  // device-local; shaders read and write it, or read it as constants, transfers fill and read it
     upload,   // host memory the device copies from; mapped
     readback, // host memory the device copies to; mapped, cached where the device can
+    // For a BoxHierarchy, device-local too: what it is built from, what it lives in, what building it takes.
+    hierarchyInput,
+    hierarchy,
+    scratch,
 };
 
 // Move-only; the name appears in error messages.
@@ -26,7 +30,8 @@ class Buffer {
     const std::string& name() const { return name_; }
     uint64_t size() const { return size_; } // as asked for
     vk::Buffer handle() const { return *buffer_; }
-    // The bytes as the host sees them; empty for storage. Reading is valid after a Submission has been waited
+    vk::DeviceAddress address() const { return address_; } // of a buffer for a BoxHierarchy; else 0
+    // The bytes as the host sees them; empty where they are device-local. Reading is valid after a Submission has been waited
     // for.
     std::span<std::byte> mapped() const { return mapped_; }
 
@@ -35,6 +40,7 @@ class Buffer {
     uint64_t size_;
     vk::raii::Buffer buffer_ = nullptr;
     vk::raii::DeviceMemory memory_ = nullptr; // freeing it unmaps it
+    vk::DeviceAddress address_ = 0;
     std::span<std::byte> mapped_;
 };
 

@@ -5,6 +5,7 @@
 #include "vulkan/refusal.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_format_traits.hpp>
 
 #include <utility>
 
@@ -29,13 +30,20 @@ void requireLimits(const DeviceReport& device, const KernelInfo& info) {
 } // namespace
 
 ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
-    : device_(&device), name_(info.name), pushConstantSize_(info.pushConstantSize) {
+    : device_(&device), name_(info.name), pushConstantSize_(info.pushConstantSize),
+      texelFormats_(info.texelBindings) {
     requireLimits(device.report(), info);
     for (const uint32_t binding : info.storageBindings) {
         bindings_.emplace(binding, vk::DescriptorType::eStorageBuffer);
     }
     for (const uint32_t binding : info.uniformBindings) {
         bindings_.emplace(binding, vk::DescriptorType::eUniformBuffer);
+    }
+    for (const auto& [binding, format] : info.texelBindings) {
+        bindings_.emplace(binding, vk::DescriptorType::eUniformTexelBuffer);
+    }
+    for (const uint32_t binding : info.hierarchyBindings) {
+        bindings_.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
     try {
         createDescriptorSet();
@@ -92,6 +100,10 @@ void ComputePipeline::createPipeline(const KernelInfo& info) {
 
 void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {
     const vk::DescriptorType type = bindings_.at(binding);
+    if (type == vk::DescriptorType::eUniformTexelBuffer) {
+        bindTexels(binding, buffer);
+        return;
+    }
     const bool uniform = type == vk::DescriptorType::eUniformBuffer;
     const uint64_t range = uniform ? kUniformRange : device_->report().maxStorageBufferRange;
     if (buffer.size() > range) {
@@ -104,6 +116,31 @@ void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {
     const vk::DescriptorBufferInfo bufferInfo(buffer.handle(), 0, VK_WHOLE_SIZE);
     device_->handle().updateDescriptorSets(
         vk::WriteDescriptorSet(*descriptorSet_, binding, 0, type, {}, bufferInfo), {});
+}
+
+void ComputePipeline::bind(uint32_t binding, const BoxHierarchy& hierarchy) {
+    const vk::AccelerationStructureKHR handle = hierarchy.handle();
+    const vk::WriteDescriptorSetAccelerationStructureKHR structures(handle);
+    vk::WriteDescriptorSet write(*descriptorSet_, binding, 0, 1, bindings_.at(binding));
+    write.setPNext(&structures);
+    device_->handle().updateDescriptorSets(write, {});
+}
+
+void ComputePipeline::bindTexels(uint32_t binding, const Buffer& buffer) {
+    const vk::Format format = texelFormats_.at(binding);
+    const uint64_t texels = buffer.size() / vk::blockSize(format);
+    if (texels > device_->report().maxTexelBufferElements) {
+        throw Error(ExitCode::outOfMemory,
+                    fmt::format("{}: buffer '{}' of {} texels is over maxTexelBufferElements, {}",
+                                device_->name(), buffer.name(), texels,
+                                device_->report().maxTexelBufferElements));
+    }
+    vk::raii::BufferView view(device_->handle(),
+                              vk::BufferViewCreateInfo({}, buffer.handle(), format, 0, VK_WHOLE_SIZE));
+    vk::WriteDescriptorSet write(*descriptorSet_, binding, 0, 1, vk::DescriptorType::eUniformTexelBuffer);
+    write.setPTexelBufferView(&*view);
+    device_->handle().updateDescriptorSets(write, {});
+    views_.insert_or_assign(binding, std::move(view));
 }
 
 } // namespace metamarch::vulkan

@@ -1,5 +1,6 @@
-// One compute kernel with its bindings: storage and uniform buffers, all in descriptor set 0.
+// One compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
 #pragma once
+#include "vulkan/box_hierarchy.h"
 #include "vulkan/buffer.h"
 #include "vulkan/device.h"
 
@@ -17,7 +18,9 @@ struct KernelInfo {
     std::span<const uint32_t> spirv{};       // entry point "main"; needed only while the pipeline is made
     std::vector<uint32_t> storageBindings{}; // binding numbers of set 0, in any order
     std::vector<uint32_t> uniformBindings{}; // the same for small constants, which all invocations read alike
-    uint32_t pushConstantSize = 0;           // bytes; 0: none
+    std::map<uint32_t, vk::Format> texelBindings{}; // what a texel of each is
+    std::vector<uint32_t> hierarchyBindings{};      // the same for box hierarchies
+    uint32_t pushConstantSize = 0;                  // bytes; 0: none
     std::map<uint32_t, uint32_t>
         specialization{}; // constant_id to its 32 bits (std::bit_cast a float or an int)
 };
@@ -33,6 +36,7 @@ class ComputePipeline {
     // the buffer must live until the last such submission has ended. Throws Error(outOfMemory) when the
     // buffer is larger than the device lets a shader see.
     void bind(uint32_t binding, const Buffer& buffer);
+    void bind(uint32_t binding, const BoxHierarchy& hierarchy);
 
     const std::string& name() const { return name_; }
     uint32_t pushConstantSize() const { return pushConstantSize_; }
@@ -43,11 +47,14 @@ class ComputePipeline {
   private:
     void createDescriptorSet();
     void createPipeline(const KernelInfo& info);
+    void bindTexels(uint32_t binding, const Buffer& buffer);
 
     const Device* device_;
     std::string name_;
     uint32_t pushConstantSize_;
     std::map<uint32_t, vk::DescriptorType> bindings_;
+    std::map<uint32_t, vk::Format> texelFormats_;
+    std::map<uint32_t, vk::raii::BufferView> views_;
     vk::raii::DescriptorSetLayout descriptorSetLayout_ = nullptr;
     vk::raii::DescriptorPool descriptorPool_ = nullptr;
     vk::raii::DescriptorSet descriptorSet_ = nullptr;

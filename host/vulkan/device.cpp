@@ -28,10 +28,26 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
         }
     }
 
+    vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceRayQueryFeaturesKHR,
+                       vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
+                       vk::PhysicalDeviceBufferDeviceAddressFeatures>
+        chain;
+    if (report.hasRayQuery()) {
+        extensions.insert(extensions.end(), kRayQueryExtensions.begin(), kRayQueryExtensions.end());
+        chain.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().setRayQuery(VK_TRUE);
+        chain.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().setAccelerationStructure(VK_TRUE);
+        chain.get<vk::PhysicalDeviceBufferDeviceAddressFeatures>().setBufferDeviceAddress(VK_TRUE);
+    } else {
+        chain.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
+        chain.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
+        chain.unlink<vk::PhysicalDeviceBufferDeviceAddressFeatures>();
+    }
+
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, report.computeQueueFamily.value(), 1, &priority);
+    chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(extensions);
     try {
-        return {physicalDevice, vk::DeviceCreateInfo({}, queue, {}, extensions)};
+        return {physicalDevice, chain.get<vk::DeviceCreateInfo>()};
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot be opened", report.name));
     }

@@ -9,7 +9,8 @@
 
 namespace metamarch::vulkan {
 
-// Opens the device `selection` names (see chooseDevice; empty: the best one) without any optional feature.
+// Opens the device `selection` names (see chooseDevice; empty: the best one) without any optional feature but
+// ray queries, where it has them.
 // Must outlive every Buffer, ComputePipeline and Submission made from it, which point to it: it neither
 // copies nor moves. To be used by one thread at a time. Throws Error(noDevice).
 class Device {

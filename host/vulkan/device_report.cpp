@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace metamarch::vulkan {
 namespace {
@@ -30,6 +31,7 @@ DeviceType typeOf(vk::PhysicalDeviceType type) {
 void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.timestampPeriod = limits.timestampPeriod;
     report.maxStorageBufferRange = limits.maxStorageBufferRange;
+    report.maxTexelBufferElements = limits.maxTexelBufferElements;
     report.maxComputeWorkGroupCount = limits.maxComputeWorkGroupCount;
     report.maxComputeWorkGroupInvocations = limits.maxComputeWorkGroupInvocations;
     report.maxComputeWorkGroupSizeX = limits.maxComputeWorkGroupSize[0];
@@ -79,6 +81,42 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
 }
 
+// Extensions first: only a device that lists them can be asked for their features and properties.
+void addRayQuery(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
+    const auto extensions = physicalDevice.enumerateDeviceExtensionProperties();
+    for (const char* const wanted : kRayQueryExtensions) {
+        const bool listed = std::ranges::any_of(extensions, [&](const vk::ExtensionProperties& extension) {
+            return std::strcmp(extension.extensionName, wanted) == 0;
+        });
+        if (!listed) {
+            report.missingForRayQuery.emplace_back(wanted);
+        }
+    }
+    if (report.apiVersion < kApiVersion || !report.hasRayQuery()) {
+        return;
+    }
+    const auto features =
+        physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceRayQueryFeaturesKHR,
+                                    vk::PhysicalDeviceAccelerationStructureFeaturesKHR,
+                                    vk::PhysicalDeviceBufferDeviceAddressFeatures>();
+    const auto require = [&](const vk::Bool32 has, const char* const feature) {
+        if (!has) {
+            report.missingForRayQuery.emplace_back(feature);
+        }
+    };
+    require(features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery, "rayQuery");
+    require(features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure,
+            "accelerationStructure");
+    require(features.get<vk::PhysicalDeviceBufferDeviceAddressFeatures>().bufferDeviceAddress,
+            "bufferDeviceAddress");
+    const auto properties =
+        physicalDevice.getProperties2<vk::PhysicalDeviceProperties2,
+                                      vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    const auto& limits = properties.get<vk::PhysicalDeviceAccelerationStructurePropertiesKHR>();
+    report.maxHierarchyBoxes = limits.maxPrimitiveCount;
+    report.minScratchAlignment = limits.minAccelerationStructureScratchOffsetAlignment;
+}
+
 DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32_t index) {
     const vk::PhysicalDeviceProperties properties = physicalDevice.getProperties();
     DeviceReport report;
@@ -92,6 +130,7 @@ DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32
     if (properties.apiVersion >= kApiVersion) {
         addVersion12Properties(report, physicalDevice);
     }
+    addRayQuery(report, physicalDevice);
     report.refusals = refusalsOf(report);
     return report;
 }

@@ -26,6 +26,7 @@ struct DeviceReport {
     float timestampPeriod = 0;       // nanoseconds per tick
 
     uint64_t maxStorageBufferRange = 0;   // bytes one binding can see
+    uint32_t maxTexelBufferElements = 0;  // texels one binding can see
     uint64_t maxMemoryAllocationSize = 0; // bytes of one buffer
     uint64_t deviceLocalHeapSize = 0;     // bytes of the largest device-local heap
     std::array<uint32_t, 3> maxComputeWorkGroupCount{};
@@ -35,10 +36,21 @@ struct DeviceReport {
     uint32_t maxPushConstantsSize = 0; // bytes
     uint32_t subgroupSize = 0;         // invocations
 
+    // Ray queries through the driver's own hierarchy (BoxHierarchy), which only some traversals want.
+    std::vector<std::string> missingForRayQuery; // extensions and features; empty: it has ray queries
+    uint64_t maxHierarchyBoxes = 0;              // where it has them
+    uint32_t minScratchAlignment = 0;            // bytes, where it has them
+
     std::vector<std::string> refusals; // what we need and it lacks, in words; empty: usable
 
     bool usable() const { return refusals.empty(); }
+    bool hasRayQuery() const { return missingForRayQuery.empty(); }
 };
+
+// What ray queries take: the extensions that a device is opened with where it has all of them.
+inline constexpr std::array<const char*, 3> kRayQueryExtensions{
+    VK_KHR_RAY_QUERY_EXTENSION_NAME, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+    VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
 // "discrete", "integrated", "virtual", "cpu", "other".
 std::string typeText(DeviceType type);

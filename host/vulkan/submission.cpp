@@ -19,6 +19,17 @@ constexpr vk::PipelineStageFlags kWorkStages = Stage::eComputeShader | Stage::eT
 constexpr vk::AccessFlags kWorkWrites = Access::eShaderWrite | Access::eTransferWrite;
 constexpr vk::AccessFlags kWorkReads = Access::eShaderRead | Access::eTransferRead;
 
+// Only a device with ray queries knows hierarchies, which are built in a stage of their own.
+vk::PipelineStageFlags workStages(const Device& device) {
+    return device.report().hasRayQuery() ? kWorkStages | Stage::eAccelerationStructureBuildKHR : kWorkStages;
+}
+vk::AccessFlags workWrites(const Device& device) {
+    return device.report().hasRayQuery() ? kWorkWrites | Access::eAccelerationStructureWriteKHR : kWorkWrites;
+}
+vk::AccessFlags workReads(const Device& device) {
+    return device.report().hasRayQuery() ? kWorkReads | Access::eAccelerationStructureReadKHR : kWorkReads;
+}
+
 vk::raii::CommandBuffer allocateCommandBuffer(const Device& device) {
     vk::raii::CommandBuffers buffers(device.handle(),
                                      {*device.commandPool(), vk::CommandBufferLevel::ePrimary, 1});
@@ -33,8 +44,8 @@ Commands::Commands(const Device& device, const vk::raii::CommandBuffer& commandB
 // One barrier over all memory: the stages of a renderer depend on each other anyway, and drivers make no use
 // of finer ones. It stands before the first command too, against earlier submissions.
 void Commands::waitForEarlierCommands() {
-    const vk::MemoryBarrier barrier(kWorkWrites, kWorkReads | kWorkWrites);
-    commandBuffer_->pipelineBarrier(kWorkStages, kWorkStages, {}, barrier, {}, {});
+    const vk::MemoryBarrier barrier(workWrites(*device_), workReads(*device_) | workWrites(*device_));
+    commandBuffer_->pipelineBarrier(workStages(*device_), workStages(*device_), {}, barrier, {}, {});
 }
 
 void Commands::dispatchBytes(const ComputePipeline& pipeline, GroupCount groups,
@@ -70,6 +81,12 @@ void Commands::copy(const Buffer& from, uint64_t fromOffset, const Buffer& to, u
     }
     waitForEarlierCommands();
     commandBuffer_->copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, toOffset, size));
+}
+
+void Commands::build(const vk::AccelerationStructureBuildGeometryInfoKHR& info, uint32_t count) {
+    waitForEarlierCommands();
+    const vk::AccelerationStructureBuildRangeInfoKHR range(count);
+    commandBuffer_->buildAccelerationStructuresKHR(info, &range);
 }
 
 void Commands::fill(const Buffer& buffer, uint32_t word) {

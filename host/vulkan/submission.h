@@ -36,6 +36,9 @@ class Commands {
     // Copies `size` bytes; offsets in bytes. A size of 0 does nothing.
     void copy(const Buffer& from, uint64_t fromOffset, const Buffer& to, uint64_t toOffset, uint64_t size);
 
+    // Builds one of the levels of a BoxHierarchy, of one geometry with `count` primitives.
+    void build(const vk::AccelerationStructureBuildGeometryInfoKHR& info, uint32_t count);
+
     // Fills the buffer, whose size is a multiple of 4, with copies of `word`.
     void fill(const Buffer& buffer, uint32_t word);
 

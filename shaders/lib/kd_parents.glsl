@@ -4,10 +4,10 @@
 #include "lib/kd_tree.glsl"
 #include "shared/kd_parent.h"
 
-layout(std430, binding = kBindKdParents) readonly buffer KdParentBuffer { uvec4 kdParentWords[]; };
+WORDS4(kdParentWords, kBindKdParents);
 
 KdParent loadKdParent(const uint nodeId) {
-    const uvec4 words = kdParentWords[nodeId];
+    const uvec4 words = LOAD4(kdParentWords, nodeId);
     return KdParent(words.x, words.y, words.z, words.w);
 }
 #endif

@@ -4,5 +4,5 @@
 #include "lib/kd_tree.glsl"
 #include "shared/kd_rope.h"
 
-layout(std430, binding = kBindKdRopes) readonly buffer KdRopeBuffer { uint kdRopes[]; };
+WORDS1(kdRopes, kBindKdRopes);
 #endif

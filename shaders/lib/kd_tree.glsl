@@ -4,10 +4,10 @@
 #include "lib/leaves.glsl"
 #include "shared/kd_walk.h"
 
-layout(std430, binding = kBindKdNodes) readonly buffer KdNodeBuffer { uvec2 kdNodeWords[]; };
+WORDS2(kdNodeWords, kBindKdNodes);
 
 KdNode loadKdNode(const uint nodeId) {
-    const uvec2 words = kdNodeWords[nodeId];
+    const uvec2 words = LOAD2(kdNodeWords, nodeId);
     return KdNode(words.x, words.y);
 }
 

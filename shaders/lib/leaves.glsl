@@ -3,11 +3,11 @@
 #define METAMARCH_LIB_LEAVES_GLSL
 #include "lib/scene.glsl"
 
-layout(std430, binding = kBindLeaves) readonly buffer LeafBuffer { uvec4 leafWords[]; };
+WORDS4(leafWords, kBindLeaves);
 
 // One load of four words: lavapipe pays for each load, not for its size.
 Leaf loadLeaf(const uint leafId) {
-    const uvec4 words = leafWords[leafId];
+    const uvec4 words = LOAD4(leafWords, leafId);
     return Leaf(words.x, words.y, words.z, words.w);
 }
 #endif

@@ -3,5 +3,5 @@
 #define METAMARCH_LIB_META_TABLE_GLSL
 #include "lib/leaves.glsl"
 
-layout(std430, binding = kBindTable) readonly buffer TableBuffer { uint leafOfCell[]; };
+WORDS1(leafOfCell, kBindTable);
 #endif

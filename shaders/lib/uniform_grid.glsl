@@ -5,10 +5,10 @@
 #include "shared/grid_walk.h"
 
 layout(std140, binding = kBindGrid) uniform GridBuffer { Grid grid; };
-layout(std430, binding = kBindGridCells) readonly buffer GridCellBuffer { uvec2 gridCellWords[]; };
+WORDS2(gridCellWords, kBindGridCells);
 
 GridCell loadGridCell(const uint index) {
-    const uvec2 words = gridCellWords[index];
+    const uvec2 words = LOAD2(gridCellWords, index);
     return GridCell(words.x, words.y);
 }
 #endif

@@ -1,7 +1,7 @@
 // Camera rays and the `primary` integrator's pixel, one definition for both sides.
 #ifndef METAMARCH_SHARED_CAMERA_H
 #define METAMARCH_SHARED_CAMERA_H
-#include "shared/interop.h"
+#include "shared/math.h"
 
 SHARED_BEGIN
 
@@ -26,13 +26,6 @@ struct CameraRay {
     vec3 origin;
     vec3 dir; // unit length
 };
-
-// normalize() may be approximate; this is not.
-SHARED_FN vec3 unitVector(const vec3 v) {
-    const float squared = v.x * v.x + v.y * v.y + v.z * v.z;
-    const vec3 unit = v / sqrt(squared);
-    return unit;
-}
 
 // The ray through the centre of pixel (x, y); (0, 0) is top left.
 SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {

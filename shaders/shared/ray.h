@@ -6,6 +6,7 @@
 // `accel/README.md` builds its proof that no hit is lost on that.
 #ifndef METAMARCH_SHARED_RAY_H
 #define METAMARCH_SHARED_RAY_H
+#include "shared/math.h"
 #include "shared/scene_layout.h"
 
 SHARED_BEGIN
@@ -48,11 +49,11 @@ struct Ray {
     float extent;  // longest side of the scene box
 };
 
-SHARED_FN float largest(const vec3 v) { return max(max(v.x, v.y), v.z); }
-SHARED_FN float smallest(const vec3 v) { return min(min(v.x, v.y), v.z); }
-
 SHARED_FN vec3 inOrder(const vec3 v, const uint lastAxis) {
-    return lastAxis == 0u ? vec3(v.y, v.z, v.x) : lastAxis == 1u ? vec3(v.z, v.x, v.y) : v;
+    return vec3(lastAxis == 0u ? v.z : v.x, lastAxis == 1u ? v.z : v.y,
+                lastAxis == 0u   ? v.x
+                : lastAxis == 1u ? v.y
+                                 : v.z);
 }
 
 SHARED_FN vec3 clearSmall(const vec3 v, const float smallestMagnitude) {

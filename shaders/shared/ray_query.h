@@ -20,6 +20,8 @@ struct RayResult {
     uint tests;      // triangle tests
 };
 
+const uint kNoSlot = 0xffffffffu; // the record of a ray that hits nothing
+
 struct RaysPush {
     uint first; // of the rays to trace
     uint end;

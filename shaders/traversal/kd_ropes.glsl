@@ -46,7 +46,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
             finish(trace);
             return;
         }
-        nodeId = kdRopes[ropeTowards(leafId, next.cell, lo, hi)];
+        nodeId = LOAD1(kdRopes, ropeTowards(leafId, next.cell, lo, hi));
         if (nodeId == kNoRope) {
             finish(trace);
             return;

@@ -27,7 +27,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
     while (true) {
         ++trace.steps;
-        const Leaf leaf = loadLeaf(leafOfCell[cellIndex(cell, lattice.resolution)]);
+        const Leaf leaf = loadLeaf(LOAD1(leafOfCell, cellIndex(cell, lattice.resolution)));
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, anyHit)) {
             finish(trace);

@@ -1,6 +1,7 @@
 """`metamarch bench` from outside: what it prints and writes, and what it refuses."""
 import csv
 import json
+import re
 import struct
 import subprocess
 
@@ -13,25 +14,66 @@ QUICK = ["--repeat", "1", "--seconds", "0"]
 
 class TraversalTest(ProgramTest):
     def bench(self, *words):
-        self.succeed("bench", "traversal", str(SCENES / "objects.glb"), "--size", "24x16", *QUICK, "--json", "rows.json",
-                     *words)
+        self.text = self.succeed("bench", "traversal", str(SCENES / "objects.glb"), "--size", "24x16", *QUICK,
+                                 "--json", "rows.json", *words)
         return json.loads((self.tmp / "rows.json").read_text())
 
+    def list(self):
+        """The lists by their names, and the traversals that the only device lacks something for."""
+        lists, lacking = {}, {}
+        for line in self.succeed("bench", "--list").splitlines():
+            if match := re.match(r"not on 0 .*: (\w+) \(it lacks (.*)\)$", line):
+                lacking[match[1]] = match[2]
+            else:
+                name, words = line.split(": ")
+                lists[name] = words.split()
+        return lists, lacking
+
     def test_every_traversal_and_ray_set_has_a_row(self):
-        listing = dict(line.split(": ") for line in self.succeed("bench", "--list").splitlines())
+        lists, lacking = self.list()
         report = self.bench()
         self.assertEqual(report["schema"], 1)
         self.assertLessEqual({"device", "driver", "commit", "rows"}, report.keys())
         on_device = [row for row in report["rows"] if row["backend"] == "gpu"]
+        names = {*lists["traversals"], "floor"} - {"brute_force", *lacking}
         self.assertEqual({(row["rays"], row["traversal"]) for row in on_device},
-                         {(rays, name) for rays in listing["ray sets"].split()
-                          for name in listing["traversals"].split() if name != "brute_force"})
+                         {(rays, name) for rays in lists["ray sets"] for name in names})
+        for name in lacking:
+            self.assertIn(f"{name} is left out", self.text)
         for row in report["rows"]:
             self.assertLessEqual(ROW_KEYS, row.keys())
             self.assertGreater(row["mraysPerSecond"], 0)
         for row in on_device:
-            self.assertGreater(row["bytesPerRay"], 0, row)
+            if row["traversal"] != "ray_query":  # what the driver reads is its business
+                self.assertGreater(row["bytesPerRay"], 0, row)
             self.assertEqual(row["differingHits"], 0, row)
+
+    def test_every_time_is_a_multiple_of_the_floor(self):
+        rows = self.bench("--rays", "close,shadow", "--traversals", "meta_table,kd_stack")["rows"]
+        floors = {(row["rays"], row["backend"]): row for row in rows if row["traversal"] == "floor"}
+        self.assertLessEqual({("close", "gpu"), ("shadow", "gpu")}, floors.keys())
+        for floor in floors.values():
+            self.assertEqual(floor["floorMultiple"], 1)
+            self.assertEqual(floor["visitsPerRay"], 0)
+            self.assertAlmostEqual(floor["testsPerRay"], floor["hits"] / floor["rayCount"])  # none for a miss
+        for row in rows:
+            floor = floors[row["rays"], row["backend"]]
+            self.assertEqual(row["hits"], floor["hits"])
+            self.assertAlmostEqual(row["floorMultiple"], floor["mraysPerSecond"] / row["mraysPerSecond"])
+
+    def test_ray_queries_run_or_are_refused(self):
+        lists, lacking = self.list()
+        self.assertIn("ray_query", lists["traversals"])
+        words = ["--rays", "close", "--traversals", "ray_query"]
+        if "ray_query" not in lacking:
+            self.assertIn("ray_query", {row["traversal"] for row in self.bench(*words)["rows"]})
+            return
+        scene = str(SCENES / "objects.glb")
+        for command in (["bench", "traversal", scene, *words],
+                        ["render", scene, "-o", "out.exr", "--traversal", "ray_query"]):
+            line = self.refuse(4, *command)
+            self.assertIn("--traversal ray_query", line)
+            self.assertIn(f"lacks {lacking['ray_query']}", line)
 
     def test_rays_come_from_a_file(self):
         (self.tmp / "two.rays").write_bytes(struct.pack("<12f", 0, 0.5, 9, 0, 0, -1, 0, 0.5, 9, 0, 0, 1))
@@ -39,9 +81,14 @@ class TraversalTest(ProgramTest):
         self.assertEqual({(row["rays"], row["rayCount"]) for row in rows}, {("two.rays", 2)})
         self.assertLessEqual({row["hits"] for row in rows}, {0, 1})
 
-    def test_a_table_for_a_readme(self):
-        self.bench("--rays", "far", "--traversals", "meta_table", "--markdown", "rows.md")
-        self.assertRegex((self.tmp / "rows.md").read_text(), r"\| objects.glb \| far \| meta_table \| gpu \|")
+    def test_a_page_for_a_readme(self):
+        report = self.bench("--rays", "far", "--traversals", "meta_table", "--markdown", "rows.md")
+        page = (self.tmp / "rows.md").read_text()
+        self.assertRegex(page, r"\n## objects\.glb: \d+ triangles\n")
+        self.assertRegex(page, r"\n\| meta_table \| .* \| \d+\.\d\d \(\d+\.\d\) \|\n")
+        self.assertRegex(page, r"\| objects.glb \| far \| meta_table \| gpu \|")
+        for key in ("device", "driver", "commit", "date", "setting"):
+            self.assertIn(f"| {key} | {report[key]} |", page)
 
     def test_bad_input_is_refused(self):
         (self.tmp / "nan.rays").write_bytes(struct.pack("<6f", 0, 0, 0, 0, float("nan"), 1))
@@ -72,7 +119,7 @@ class PaperTest(ProgramTest):
         self.assertIn("80 to 85 % fewer visits", text)
         self.assertIn("30 to 50 % less render time", text)
         rows = json.loads((self.tmp / "paper" / "paper.json").read_text())["rows"]
-        self.assertEqual(len(rows), 2 * 4 * 4 * 2 * 2)  # models, views, ray sets, backends, traversals
+        self.assertEqual(len(rows), 2 * 4 * 4 * 2 * 3)  # models, views, ray sets, backends, floor and traversals
         with open(self.tmp / "paper" / "paper.csv", newline="") as file:
             self.assertEqual(len(list(csv.DictReader(file))), len(rows))
         for row in rows:

@@ -29,9 +29,9 @@ struct SphereAndCube {
 
 bool isFinite(const glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-class RaySets : public testing::TestWithParam<std::string_view> {
+class RaySets : public testing::TestWithParam<RaySetKind> {
   protected:
-    RaySet make() { return makeRaySet(GetParam(), model.scene, model.structure, kWidth, kHeight); }
+    RaySet make() { return makeRaySet(GetParam().name, model.scene, model.structure, kWidth, kHeight); }
 
     SphereAndCube model;
 };
@@ -45,7 +45,7 @@ TEST_P(RaySets, areTheSameEachTime) {
 
 TEST_P(RaySets, areFiniteAndAsManyAsTheyShouldBe) {
     const RaySet set = make();
-    const std::string_view name = GetParam();
+    const std::string_view name = GetParam().name;
     if (name == "far" || name == "close" || name == "random") {
         EXPECT_EQ(set.rays.size(), kViewRays);
     } else {
@@ -61,8 +61,8 @@ TEST_P(RaySets, areFiniteAndAsManyAsTheyShouldBe) {
     EXPECT_EQ(set.query == HitQuery::any, name == "ao" || name == "shadow");
 }
 
-INSTANTIATE_TEST_SUITE_P(Names, RaySets, testing::ValuesIn(kRaySetNames),
-                         [](const auto& instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Names, RaySets, testing::ValuesIn(kRaySets),
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(RaySet, holdsEveryPixelOnce) {
     const SphereAndCube model;
@@ -89,7 +89,7 @@ TEST(SecondaryRays, doNotMeetTheSurfaceTheyLeave) {
         for (const RaySet& set :
              {diffuseRays(structure.lattice, points), mirrorRays(structure.lattice, points),
               ambientRays(structure.lattice, points)}) {
-            for (const RayResult& hit : judge(structure, set.rays, set.query)) {
+            for (const RayResult& hit : judge(structure, set.rays, set.query).results) {
                 ASSERT_EQ(hit.triangleId, kNoTriangle) << distance;
             }
         }

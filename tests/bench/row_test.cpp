@@ -22,7 +22,7 @@ Row exampleRow() {
 }
 
 TEST(Row, hasTheKeysOfTheSchema) {
-    const nlohmann::ordered_json json = toJson({"device", "driver", "commit", "2026-11-22"}, {});
+    const nlohmann::ordered_json json = toJson({"device", "driver", "commit", "2026-11-22", "24 x 16"}, {});
     EXPECT_EQ(json["schema"], 1);
     for (const char* const key : {"device", "driver", "commit", "date", "rows"}) {
         EXPECT_TRUE(json.contains(key)) << key;
@@ -43,9 +43,23 @@ TEST(Row, givesCsvAsManyCellsAsKeys) {
     const std::string csv = toCsv({&row, 1});
     const std::string head = csv.substr(0, csv.find('\n'));
     const std::string line = csv.substr(csv.find('\n') + 1);
-    EXPECT_TRUE(head.starts_with("scene,rays,view,")) << head;
-    EXPECT_TRUE(line.starts_with("\"a \"\"cow\"\"\",\"far\",,\"meta_table\",")) << line;
+    EXPECT_TRUE(head.starts_with("scene,triangles,rays,view,")) << head;
+    EXPECT_TRUE(line.starts_with("\"a \"\"cow\"\"\",0,\"far\",,\"meta_table\",")) << line;
     EXPECT_EQ(std::ranges::count(head, ','), std::ranges::count(line, ','));
+}
+
+TEST(Row, isAMultipleOfTheFloor) {
+    Row row = exampleRow();
+    Row floor = exampleRow();
+    floor.mraysPerSecond = 50.0;
+    compareWithFloor(row, floor);
+    EXPECT_EQ(row.floorMultiple, 4.0);
+    compareWithFloor(floor, floor);
+    EXPECT_EQ(floor.floorMultiple, 1.0);
+    Row noRays = exampleRow();
+    noRays.mraysPerSecond = 0.0;
+    compareWithFloor(noRays, noRays);
+    EXPECT_FALSE(noRays.floorMultiple);
 }
 
 TEST(Row, alignsText) {

@@ -32,6 +32,10 @@ def make_files(tmp):
     cornell = (SCENES / "cornell.glb").read_bytes()
     (tmp / "cornell.glb").write_bytes(cornell)
     (tmp / "unknown.gtlf").write_bytes(cornell)
+    (tmp / "halves.json").write_text('{"resolution": [2, 1, 1], "boxes": [[0,0,0,1,1,1], [1,0,0,2,1,1]]}')
+    (tmp / "overlap.json").write_text('{"resolution": [2, 1, 1], "boxes": [[0,0,0,2,1,1], [1,0,0,2,1,1]]}')
+    (tmp / "gap.json").write_text('{"resolution": [2, 1, 1], "boxes": [[0,0,0,1,1,1]]}')
+    (tmp / "huge.json").write_text('{"resolution": [1000, 1000, 1000], "boxes": []}')
     for length in (4, 12, 20, 700, len(cornell) - 1):
         (tmp / f"first_{length}.glb").write_bytes(cornell[:length])
     for ending in ("glb", "gltf", "obj", "ply", "off", "stl"):
@@ -121,6 +125,16 @@ CASES = [
     *((f"info cornell.glb --tree-depth {depth}", 2, NO_OUTPUT, rf"info: Could not convert: --tree-depth = {depth} .*")
       for depth in ("-1", "1.5", "deep")),
     ("info cornell.glb --unit 1 --cells 5", 2, NO_OUTPUT, r"info: --unit excludes --cells .*"),
+    ("info cornell.glb --no-exit-boxes --preset paper", 0, r"vertices .*", NO_OUTPUT),
+    # a partition of the user's own
+    ("info cornell.glb --partition halves.json", 0, r".*\nlattice +2 x 1 x 1 .*\ntable +2 cells, 2 leaves\n.*", NO_OUTPUT),
+    ("info cornell.glb --partition missing.json", 3, NO_OUTPUT, r"missing.json: no such file"),
+    ("info cornell.glb --partition cornell.glb", 3, NO_OUTPUT, r"cornell.glb: is no JSON, at byte 1"),
+    ("info cornell.glb --partition gap.json", 3, NO_OUTPUT, r"gap.json: no box holds cell 1 0 0"),
+    ("info cornell.glb --partition overlap.json", 3, NO_OUTPUT, r"overlap.json: box 1 overlaps box 0 at cell 1 0 0"),
+    ("info cornell.glb --partition huge.json", 6, NO_OUTPUT, r"huge.json: a meta table of .* takes 3815 MiB, more than .*"),
+    ("info cornell.glb --partition halves.json --cells 9", 2, NO_OUTPUT, r"info: --\w+ excludes --\w+ .*"),
+    ("info cornell.glb --partition halves.json --merge", 2, NO_OUTPUT, r"info: --\w+ excludes --\w+ .*"),
     ("info cornell.glb --preset fast", 2, NO_OUTPUT, r"info: --preset: fast not in \{paper\} .*"),
     *((f"info cornell.glb --scale {scale}", 2, NO_OUTPUT, r"--scale .*: give a finite number other than 0")
       for scale in ("0", "nan", "inf", "1e300", "1e-300")),

@@ -4,8 +4,9 @@ import json
 from program import SCENES, ProgramTest, main, shared_scenes
 
 # A dot opens an object.
-KEYS = """vertices triangles bounds.min bounds.max lattice.resolution lattice.unit table.cells tree.nodes tree.leaves
-tree.emptyLeaves tree.references tree.depth bytes.tree bytes.table bytes.triangles seconds.tree seconds.table""".split()
+KEYS = """vertices triangles bounds.min bounds.max lattice.resolution lattice.unit table.cells table.leaves tree.nodes
+tree.leaves tree.emptyLeaves tree.references tree.depth bytes.tree bytes.table bytes.exitBoxes bytes.triangles
+seconds.tree seconds.table""".split()
 
 
 def value(report, key):
@@ -36,9 +37,15 @@ class InfoTest(ProgramTest):
         report = self.info(SCENES / "cornell.glb", "--scale", "-2")
         self.assertEqual(report["bounds"], {"min": [-0.556, -1.0976, -0.5592], "max": [0.556, 0.0, 0.5592]})
 
+    def test_merged_leaves(self):
+        whole = self.info(SCENES / "objects.glb")["table"]
+        merged = self.info(SCENES / "objects.glb", "--merge")["table"]
+        self.assertLess(merged["leaves"], whole["leaves"])
+        self.assertEqual(merged["cells"], whole["cells"])
+
     def test_text(self):
         text = self.succeed("info", SCENES / "objects.glb", "--cells", "1e5")
-        for label in ("vertices", "triangles", "bounds", "lattice", "kd-tree", "leaves", "memory", "built in"):
+        for label in ("vertices", "triangles", "bounds", "lattice", "kd-tree", "leaves", "table", "memory", "built in"):
             self.assertRegex(text, rf"(?m)^{label} +\S")
 
     def test_the_papers_models(self):

@@ -8,6 +8,9 @@ from program import SCENES, ProgramTest, main, metamarch, shared_scenes
 
 CORNELL = SCENES / "cornell.glb"
 CHANNELS = {"R", "G", "B", "A", "Z", "t", "N.X", "N.Y", "N.Z", "id.triangle", "steps", "tests"}
+# Three beams and two corners: boxes that no kd-tree can make.
+PINWHEEL = {"resolution": [7, 6, 5], "boxes": [[0, 0, 0, 3, 4, 2], [0, 0, 2, 7, 4, 5], [3, 0, 0, 7, 6, 2],
+                                               [0, 4, 0, 3, 6, 5], [3, 4, 2, 7, 6, 5]]}
 MAX_RESIDENT = 3 << 30  # bytes, for the million triangles of MetalRoughSpheresNoTextures
 
 
@@ -89,6 +92,16 @@ class RenderTest(ProgramTest):
                 self.render(SCENES / f"{scene}.glb", "--size", "161x119", name="gpu.exr")
                 self.render(SCENES / f"{scene}.glb", "--size", "161x119", "--backend", "cpu", name="cpu.exr")
                 self.succeed("compare", "gpu.exr", "cpu.exr", "--max-abs", "0")
+
+    def test_any_partition_draws_what_the_tree_draws(self):
+        (self.tmp / "pinwheel.json").write_text(json.dumps(PINWHEEL))
+        for words in (["--partition", "pinwheel.json"], ["--partition", "pinwheel.json", "--no-exit-boxes"], ["--merge"]):
+            with self.subTest(words=words):
+                self.render(CORNELL, "--size", "161x119", "--stats", "s.json", *words, name="march.exr")
+                self.render(CORNELL, "--size", "161x119", "--backend", "cpu", *words, name="tree.exr")
+                if words[0] == "--partition":
+                    self.assertEqual(json.loads((self.tmp / "s.json").read_text())["scene"]["table"]["leaves"], 5)
+                self.succeed("compare", "march.exr", "tree.exr", "--max-abs", "0")
 
     def test_stats(self):
         self.render(CORNELL, "--size", "16x12", "--stats", "s.json")

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace metamarch::tests {
 namespace {
@@ -73,19 +74,53 @@ TEST_F(SceneBuffers, refuseTooManyChunks) {
 TEST_F(SceneBuffers, refuseATableOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
-    large.leafOfCell.resize(limit / sizeof(std::uint32_t) + 1);
+    large.table.leafOfCell.resize(limit / sizeof(std::uint32_t) + 1);
     const auto load = [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); };
     expectError(ExitCode::outOfMemory, "meta table", load);
     expectError(ExitCode::outOfMemory, "maxStorageBufferRange", load);
     expectError(ExitCode::outOfMemory, "choose a smaller --tree-depth or --cells", load);
 }
 
-TEST_F(SceneBuffers, refuseLeavesOverTheLimit) {
+TEST_F(SceneBuffers, refuseExitBoxesOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
-    large.tree.leaves.resize(limit / sizeof(Leaf) + 1);
-    expectError(ExitCode::outOfMemory, "leaves",
+    large.table.leaves.resize(limit / sizeof(Leaf) + 1);
+    expectError(ExitCode::outOfMemory, "exit boxes",
                 [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); });
+}
+
+TEST(Traversals, areRefusedByNameWhereADeviceCannotRunThem) {
+    vulkan::DeviceReport report = vulkan::testDevice().report();
+    report.missingForRayQuery = {"VK_KHR_ray_query", "rayQuery"};
+    for (const std::string_view traversal : traversals()) {
+        const bool wantsIt = traversal == "ray_query";
+        EXPECT_EQ(render::missingFor(report, traversal).empty(), !wantsIt) << traversal;
+        if (wantsIt) {
+            expectError(ExitCode::noDevice, "lacks VK_KHR_ray_query, rayQuery",
+                        [&] { render::requireTraversal(report, traversal); });
+        }
+    }
+    report.missingForRayQuery.clear();
+    EXPECT_TRUE(render::missingFor(report, "ray_query").empty());
+}
+
+// Storage and texel buffers: two builds of every shader.
+TEST_F(SceneBuffers, giveTheSameHitsFromEitherMemory) {
+    const std::vector<RayQuery> rays = trickyRays(scene, structure, 2000, 11);
+    const vulkan::Device& device = vulkan::testDevice();
+    const render::SceneBuffers fast(device, structure, shading);
+    const render::SceneBuffers storage(device, structure, shading, device.report().maxStorageBufferRange);
+    for (const std::string_view name : traversals()) {
+        if (!render::missingFor(device.report(), name).empty()) {
+            continue;
+        }
+        SCOPED_TRACE(name);
+        const std::vector<RayResult> expected =
+            render::RayTracer(device, fast, std::string(name), false).trace(rays);
+        const std::vector<RayResult> found =
+            render::RayTracer(device, storage, std::string(name), false).trace(rays);
+        EXPECT_EQ(std::memcmp(found.data(), expected.data(), rays.size() * sizeof(RayResult)), 0);
+    }
 }
 
 TEST_F(SceneBuffers, refuseAnUnknownTraversal) {

@@ -18,7 +18,10 @@
 
 namespace metamarch {
 
-void PrintTo(const Shader& shader, std::ostream* out) { *out << shader.kernel << " " << shader.traversal; }
+void PrintTo(const Shader& shader, std::ostream* out) {
+    *out << shader.kernel << " " << shader.traversal
+         << (shader.memory == Memory::texel ? " texel" : " storage");
+}
 
 namespace tests {
 namespace {
@@ -105,8 +108,9 @@ struct WordBuffer {
 };
 
 const WordBuffer kWordBuffers[] = {
-    {"LeafBuffer", "Leaf"},       {"KdNodeBuffer", "KdNode"},     {"KdParentBuffer", "KdParent"},
-    {"BvhNodeBuffer", "BvhNode"}, {"GridCellBuffer", "GridCell"},
+    {"leafWordsBuffer", "Leaf"},         {"kdNodeWordsBuffer", "KdNode"},
+    {"kdParentWordsBuffer", "KdParent"}, {"bvhNodeWordsBuffer", "BvhNode"},
+    {"gridCellWordsBuffer", "GridCell"}, {"rayWordsBuffer", "RayQuery"},
 };
 
 const StructLayout* findElement(const std::string_view block) {
@@ -176,7 +180,8 @@ TEST_P(Layout, isTheOneOfTheStructsInCpp) {
 
 INSTANTIATE_TEST_SUITE_P(Shaders, Layout, testing::ValuesIn(shaders().begin(), shaders().end()),
                          [](const auto& instance) {
-                             return fmt::format("{}_{}", instance.param.kernel, instance.param.traversal);
+                             return fmt::format("{}_{}_{}", instance.param.kernel, instance.param.traversal,
+                                                instance.param.memory == Memory::texel ? "texel" : "storage");
                          });
 
 class SharedStruct : public testing::TestWithParam<StructLayout> {};

@@ -32,7 +32,7 @@ std::optional<Scene> load(const GpuScene& scene) {
         }
         file = *folder / scene.file;
     }
-    Scene loaded = loadScene(file, scene.scale);
+    Scene loaded = loadScene(file, {.scale = scene.scale});
     if (scene.inStadium) {
         const Bounds bounds = boundsOf(loaded);
         const glm::vec3 size = bounds.hi - bounds.lo;

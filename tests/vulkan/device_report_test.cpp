@@ -41,6 +41,15 @@ TEST(DeviceReport, namesEveryReason) {
     EXPECT_EQ(refusalsOf(report), expected);
 }
 
+// It is no reason to refuse a device: only one traversal wants ray queries.
+TEST(DeviceReport, doesWithoutRayQueries) {
+    DeviceReport report = sufficient();
+    report.missingForRayQuery = {"VK_KHR_ray_query"};
+    EXPECT_FALSE(report.hasRayQuery());
+    EXPECT_TRUE(report.usable());
+    EXPECT_TRUE(refusalsOf(report).empty());
+}
+
 TEST(DeviceReport, describesTheDevicesOfThisMachine) {
     const std::vector<DeviceReport> reports = reportDevices(testContext());
     ASSERT_EQ(reports.size(), testContext().physicalDevices().size());

@@ -24,6 +24,7 @@ TEST(DevicesCommand, namesEachDeviceAndMarksOne) {
         EXPECT_NE(text.find(report.name), std::string::npos) << text;
     EXPECT_NE(text.find("* "), std::string::npos) << text;
     EXPECT_NE(text.find("maxStorageBufferRange"), std::string::npos) << text;
+    EXPECT_NE(text.find("ray queries"), std::string::npos) << text;
 }
 
 TEST(DevicesCommand, jsonHasTheLimitsOfTheDefaultDevice) {
@@ -33,6 +34,8 @@ TEST(DevicesCommand, jsonHasTheLimitsOfTheDefaultDevice) {
     EXPECT_EQ(device.at("name"), expected.name);
     EXPECT_EQ(device.at("default"), true);
     EXPECT_EQ(device.at("refusals"), nlohmann::json::array());
+    EXPECT_EQ(device.at("rayQuery"), expected.hasRayQuery());
+    EXPECT_EQ(device.at("missingForRayQuery").empty(), expected.hasRayQuery());
     EXPECT_EQ(device.at("maxStorageBufferRange"), expected.maxStorageBufferRange);
 }
 

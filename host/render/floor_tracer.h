@@ -1,0 +1,26 @@
+// Rays whose hits are known in advance: the kernel `floor`, what tracing costs a device at least.
+#pragma once
+#include "render/ray_batches.h"
+#include "render/scene_buffers.h"
+
+#include <span>
+#include <vector>
+
+namespace metamarch::render {
+
+class FloorTracer {
+  public:
+    FloorTracer(const vulkan::Device& device, const SceneBuffers& scene);
+
+    // One result per ray, in their order. `slots` names each ray's hit among the records of the
+    // AccelerationStructure; kNoSlot for a miss, for which nothing is tested.
+    std::vector<RayResult> trace(std::span<const RayQuery> rays, std::span<const std::uint32_t> slots);
+
+    // RayBatches::deviceSeconds of the last call of trace().
+    double deviceSeconds() const { return batches.deviceSeconds(); }
+
+  private:
+    RayBatches batches;
+};
+
+} // namespace metamarch::render

@@ -1,0 +1,63 @@
+#include "render/ray_batches.h"
+
+#include "vulkan/transfer.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace metamarch::render {
+namespace {
+
+constexpr std::uint32_t kRaysPerGroup = 64; // local_size_x of the kernels
+
+constexpr std::uint32_t kMostGroups = 65535; // the least that maxComputeWorkGroupCount can be
+
+// Rays on the device at a time, within every device's maxStorageBufferRange: 2^22 rays are 128 MiB.
+constexpr std::size_t kBatch = 1u << 21u;
+
+} // namespace
+
+RayBatches::RayBatches(const vulkan::Device& usedDevice, vulkan::ComputePipeline kernelPipeline)
+    : device(usedDevice), pipeline(std::move(kernelPipeline)), submission(usedDevice), work(kMostGroups) {}
+
+std::vector<RayResult> RayBatches::run(const std::span<const RayQuery> rays,
+                                       const std::span<const std::uint32_t> knownSlots) {
+    seconds = 0.0;
+    std::vector<RayResult> results;
+    results.reserve(rays.size());
+    for (std::size_t first = 0; first < rays.size(); first += kBatch) {
+        const std::size_t count = std::min(kBatch, rays.size() - first);
+        const std::vector<RayResult> batch = runBatch(
+            rays.subspan(first, count), knownSlots.empty() ? knownSlots : knownSlots.subspan(first, count));
+        results.insert(results.end(), batch.begin(), batch.end());
+    }
+    return results;
+}
+
+std::vector<RayResult> RayBatches::runBatch(const std::span<const RayQuery> rays,
+                                            const std::span<const std::uint32_t> knownSlots) {
+    const vulkan::Buffer input = vulkan::upload(device, rays, "rays");
+    const vulkan::Buffer output(device, vulkan::BufferUse::storage, rays.size() * sizeof(RayResult), "hits");
+    pipeline.bind(kBindInput, input);
+    pipeline.bind(kBindOutput, output);
+    std::optional<vulkan::Buffer> slots;
+    if (!knownSlots.empty()) {
+        slots = vulkan::upload(device, knownSlots, "known slots");
+        pipeline.bind(kBindKnownSlots, *slots);
+    }
+
+    const auto end = static_cast<std::uint32_t>(rays.size());
+    const std::uint32_t groups = (end + kRaysPerGroup - 1) / kRaysPerGroup;
+    for (std::uint32_t group = 0; group < groups;) {
+        const std::uint32_t count = std::min(work.units(), groups - group);
+        const RaysPush push{group * kRaysPerGroup, end};
+        const double spent = submission.run([&](vulkan::Commands& commands) {
+            commands.dispatch(pipeline, {count, 1, 1}, push);
+        });
+        seconds += work.finished(spent);
+        group += count;
+    }
+    return vulkan::download<RayResult>(device, output);
+}
+
+} // namespace metamarch::render

@@ -1,0 +1,93 @@
+#include "vulkan/box_hierarchy.h"
+
+#include "error.h"
+#include "vulkan/refusal.h"
+#include "vulkan/submission.h"
+#include "vulkan/transfer.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace metamarch::vulkan {
+namespace {
+
+using Type = vk::AccelerationStructureTypeKHR;
+
+// For the driver to build from.
+Buffer uploadInput(const Device& device, const std::span<const std::byte> data, const std::string& name) {
+    Buffer buffer(device, BufferUse::hierarchyInput, data.size(), name);
+    write(device, buffer, 0, data);
+    return buffer;
+}
+
+void requireRoom(const Device& device, const uint64_t boxes, const std::string& name) {
+    const DeviceReport& report = device.report();
+    if (!report.hasRayQuery()) {
+        throw std::logic_error("a BoxHierarchy on a device without ray queries");
+    }
+    if (boxes > report.maxHierarchyBoxes) {
+        throw Error(ExitCode::outOfMemory, fmt::format("{}: {} of {} boxes is over maxPrimitiveCount, {}",
+                                                       device.name(), name, boxes, report.maxHierarchyBoxes));
+    }
+}
+
+} // namespace
+
+BoxHierarchy::BoxHierarchy(const Device& device, const std::span<const vk::AabbPositionsKHR> boxes,
+                           const std::string& name)
+    : bottom_(buildBottom(device, boxes, name)), top_(buildTop(device, bottom_, name)) {}
+
+BoxHierarchy::Level BoxHierarchy::build(const Device& device, const Type type,
+                                        const vk::AccelerationStructureGeometryKHR& geometry,
+                                        const uint32_t count, const std::string& name) {
+    try {
+        vk::AccelerationStructureBuildGeometryInfoKHR info(
+            type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace,
+            vk::BuildAccelerationStructureModeKHR::eBuild);
+        info.setGeometries(geometry);
+        const vk::AccelerationStructureBuildSizesInfoKHR sizes =
+            device.handle().getAccelerationStructureBuildSizesKHR(
+                vk::AccelerationStructureBuildTypeKHR::eDevice, info, count);
+        Buffer buffer(device, BufferUse::hierarchy, sizes.accelerationStructureSize, name);
+        vk::raii::AccelerationStructureKHR structure(
+            device.handle(),
+            vk::AccelerationStructureCreateInfoKHR({}, buffer.handle(), 0, buffer.size(), type));
+
+        // Its address counts, which a driver may want rounder than it makes it.
+        const uint64_t alignment = device.report().minScratchAlignment;
+        const Buffer scratch(device, BufferUse::scratch, sizes.buildScratchSize + alignment,
+                             name + " (scratch)");
+        info.setDstAccelerationStructure(*structure);
+        info.scratchData.deviceAddress = (scratch.address() + alignment - 1) / alignment * alignment;
+        Submission submission(device);
+        submission.run([&](Commands& commands) { commands.build(info, count); });
+        return {std::move(buffer), std::move(structure)};
+    } catch (const vk::SystemError& error) {
+        throw refusalOf(error, fmt::format("{}: cannot build {}", device.name(), name));
+    }
+}
+
+BoxHierarchy::Level BoxHierarchy::buildBottom(const Device& device,
+                                              const std::span<const vk::AabbPositionsKHR> boxes,
+                                              const std::string& name) {
+    requireRoom(device, boxes.size(), name);
+    const Buffer input = uploadInput(device, std::as_bytes(boxes), name + " (boxes)");
+    vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eAabbs);
+    geometry.geometry.setAabbs({input.address(), sizeof(vk::AabbPositionsKHR)});
+    return build(device, Type::eBottomLevel, geometry, static_cast<uint32_t>(boxes.size()), name);
+}
+
+BoxHierarchy::Level BoxHierarchy::buildTop(const Device& device, const Level& bottom,
+                                           const std::string& name) {
+    const vk::TransformMatrixKHR identity(
+        std::array<std::array<float, 4>, 3>{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+    const vk::AccelerationStructureInstanceKHR instance(
+        identity, 0, 0xff, 0, {}, device.handle().getAccelerationStructureAddressKHR(*bottom.structure));
+    const Buffer input = uploadInput(device, std::as_bytes(std::span(&instance, 1)), name + " (instance)");
+    vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eInstances);
+    geometry.geometry.setInstances({VK_FALSE, input.address()});
+    return build(device, Type::eTopLevel, geometry, 1, name + " (top)");
+}
+
+} // namespace metamarch::vulkan

@@ -1,0 +1,7 @@
+// The driver's hierarchy: a box per triangle record, the primitive index being the record's slot.
+#ifndef METAMARCH_LIB_RAY_QUERY_GLSL
+#define METAMARCH_LIB_RAY_QUERY_GLSL
+#include "lib/scene.glsl"
+
+layout(binding = kBindBoxes) uniform accelerationStructureEXT boxes;
+#endif

@@ -1,0 +1,17 @@
+// Rays given one by one, and where their hits go.
+#ifndef METAMARCH_LIB_RAYS_GLSL
+#define METAMARCH_LIB_RAYS_GLSL
+#include "lib/scene.glsl"
+#include "shared/ray_query.h"
+
+WORDS4(rayWords, kBindInput);
+layout(std430, binding = kBindOutput) writeonly buffer HitBuffer { RayResult results[]; };
+layout(push_constant) uniform PushBlock { RaysPush push; };
+
+RayQuery loadRay(const uint i) {
+    const uvec4 a = LOAD4(rayWords, 2u * i);
+    const uvec4 b = LOAD4(rayWords, 2u * i + 1u);
+    return RayQuery(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz),
+                    uintBitsToFloat(b.w));
+}
+#endif

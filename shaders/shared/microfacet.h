@@ -1,0 +1,55 @@
+// The Trowbridge-Reitz (GGX) distribution of microfacets with Smith's masking, and the sampling of the facets
+// that a direction sees. Directions are in the frame of the surface, its normal the z axis; alpha is the
+// roughness along x and y. E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based
+// BRDFs", JCGT 3(2), 2014.
+#ifndef METAMARCH_SHARED_MICROFACET_H
+#define METAMARCH_SHARED_MICROFACET_H
+#include "shared/math.h"
+
+SHARED_BEGIN
+
+// Facets per area and solid angle around `normal`.
+SHARED_FN float facetDensity(const vec3 normal, const vec2 alpha) {
+    const float x = normal.x / alpha.x;
+    const float y = normal.y / alpha.y;
+    const float k = x * x + y * y + normal.z * normal.z;
+    return 1.0f / (kPi * alpha.x * alpha.y * k * k);
+}
+
+// The length of w in the space in which the facets lie on a sphere. Smith's Lambda is (length / w.z - 1) / 2.
+SHARED_FN float facetLength(const vec3 w, const vec2 alpha) {
+    const float x = w.x * alpha.x;
+    const float y = w.y * alpha.y;
+    return sqrt(x * x + y * y + w.z * w.z);
+}
+
+// The density per solid angle with which wo, mirrored at the facets it sees, goes the way whose half vector
+// is `normal`: D * G1 / (4 cos). `lengthOut` is facetLength(wo).
+SHARED_FN float mirrorDensity(const vec3 normal, const float cosOut, const float lengthOut,
+                              const vec2 alpha) {
+    return facetDensity(normal, alpha) / (2.0f * (cosOut + lengthOut));
+}
+
+// The part of what the facets send towards the second direction that other facets let pass: G2 / G1, heights
+// correlated, or G1 alone where the two sides of the surface are independent. Cosines are positive.
+SHARED_FN float facetPassage(const float cosOut, const float lengthOut, const float cosIn,
+                             const float lengthIn, const bool isIndependent) {
+    const float seen = (cosOut + lengthOut) * cosIn;
+    const float shadowed = (lengthIn - cosIn) * (isIndependent ? cosOut + lengthOut : 2.0f * cosOut);
+    return 2.0f * seen / (2.0f * seen + shadowed);
+}
+
+// A facet's normal from those that `wo` sees, by their projected areas.
+// J. Dupuy, A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023.
+SHARED_FN vec3 sampleFacet(const vec3 wo, const vec2 alpha, const vec2 u) {
+    const vec3 stretched = unitVector(vec3(wo.x * alpha.x, wo.y * alpha.y, wo.z));
+    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    const float radius = sqrt(max(1.0f - z * z, 0.0f));
+    const vec2 circle = circlePoint(u.x);
+    const vec3 onSphere =
+        vec3(radius * circle.x + stretched.x, radius * circle.y + stretched.y, z + stretched.z);
+    return unitVector(vec3(onSphere.x * alpha.x, onSphere.y * alpha.y, max(onSphere.z, 1e-12f)));
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,123 @@
+// What shading knows of the point that a ray hit: the glTF 2.0 material with every texture looked up, and the
+// directions of the surface. It is the input of bsdf.h.
+#ifndef METAMARCH_SHARED_SURFACE_H
+#define METAMARCH_SHARED_SURFACE_H
+#include "shared/math.h"
+
+SHARED_BEGIN
+
+// SurfaceMaterial::flags.
+const uint kSurfaceVolume = 1u;        // KHR_materials_volume: the surface bounds a solid; else a thin wall
+const uint kSurfaceSingleScatter = 2u; // the letter of glTF 2.0, Appendix B; else energy is preserved
+
+// The parameters of glTF 2.0 and its extensions, factor times texture, colours linear. kPlainSurface is the
+// default of each. Emission, alpha, KHR_materials_unlit and what lies inside a volume are not the BSDF's.
+struct SurfaceMaterial {
+    vec3 baseColor;
+    float metallic;
+    vec3 specularColor; // KHR_materials_specular; may pass 1
+    float specular;
+    vec3 sheenColor; // KHR_materials_sheen; black: none
+    float sheenRoughness;
+    vec3 diffuseTransmissionColor; // KHR_materials_diffuse_transmission
+    float diffuseTransmission;
+    float roughness;     // perceptual: alpha is its square
+    float ior;           // KHR_materials_ior, and dispersion where a path has chosen its channel; 0: infinite
+    float transmission;  // KHR_materials_transmission
+    float anisotropy;    // KHR_materials_anisotropy, strength along SurfaceFrame::tangent
+    float coat;          // KHR_materials_clearcoat
+    float coatRoughness; // perceptual
+    float iridescence;   // KHR_materials_iridescence
+    float iridescenceIor;       // of the film
+    float iridescenceThickness; // nanometres
+    uint flags;
+    uint padding0;
+    uint padding1;
+};
+
+// The mirrored ray keeps this much height above the surface, or nearly all of wo's where that is less.
+const float kLeastMirrorCosine = 0.01f;
+// A tangent whose square is smaller after projection gives no direction.
+const float kLeastTangent = 1e-8f;
+
+// The directions at the hit, as makeSurfaceFrame makes them. tangent, bitangent and normal are orthonormal.
+struct SurfaceFrame {
+    vec3 normal; // of shading
+    uint isBack; // 1 where the ray hit the back of the triangle: inside, where the surface bounds a volume
+    vec3 tangent;
+    uint padding0;
+    vec3 bitangent;
+    uint padding1;
+    vec3 coatNormal;
+    uint padding2;
+    vec3 geometricNormal;
+    uint padding3;
+};
+
+// Turns a normal to the side of `geometricNormal` and tilts it as little as needed for `wo`, mirrored at it,
+// to stay above the surface; then wo is above the normal, too. On a flat surface it changes nothing. A.
+// Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix.
+SHARED_FN vec3 bendNormal(const vec3 normal, const vec3 geometricNormal, const vec3 wo) {
+    const vec3 turned = dotProduct(normal, geometricNormal) < 0.0f ? -normal : normal;
+    const vec3 mirrored = turned * (2.0f * dotProduct(wo, turned)) - wo;
+    const float least = min(0.9f * dotProduct(wo, geometricNormal), kLeastMirrorCosine);
+    const float lift = least - dotProduct(mirrored, geometricNormal);
+    const vec3 halfVector = wo + unitVector(mirrored + geometricNormal * max(lift, 0.0f));
+    const bool isBent = lift > 0.0f && dotProduct(halfVector, halfVector) > 1e-12f;
+    return isBent ? unitVector(halfVector) : turned;
+}
+
+// All vectors of unit length, `wo` to where the ray came from, `geometricNormal` out of the front of the
+// triangle; `tangent`, the direction along which anisotropy is rougher, may be zero.
+SHARED_FN SurfaceFrame makeSurfaceFrame(const vec3 geometricNormal, const vec3 shadingNormal,
+                                        const vec3 coatNormal, const vec3 tangent, const vec3 wo) {
+    const bool isBack = dotProduct(geometricNormal, wo) < 0.0f;
+    const vec3 facing = isBack ? -geometricNormal : geometricNormal;
+    const vec3 normal = bendNormal(shadingNormal, facing, wo);
+    const vec3 projected = tangent - normal * dotProduct(tangent, normal);
+    const Basis any = basisAround(normal);
+    const vec3 along = dotProduct(projected, projected) > kLeastTangent ? unitVector(projected) : any.tangent;
+    SurfaceFrame frame;
+    frame.normal = normal;
+    frame.isBack = isBack ? 1u : 0u;
+    frame.tangent = along;
+    frame.bitangent = crossProduct(normal, along);
+    frame.coatNormal = bendNormal(coatNormal, facing, wo);
+    frame.geometricNormal = facing;
+    frame.padding0 = 0u;
+    frame.padding1 = 0u;
+    frame.padding2 = 0u;
+    frame.padding3 = 0u;
+    return frame;
+}
+
+// KHR_materials_dispersion: a path that meets a dispersive volume chooses one of the three colours, each as
+// likely, keeps it, and counts it three times: the channels of its throughput are multiplied by channelMask.
+SHARED_FN float dispersedIor(const float ior, const float dispersion, const uint channel) {
+    const float halfSpread = (ior - 1.0f) * 0.025f * dispersion;
+    return max(ior + (float(channel) - 1.0f) * halfSpread, 1.0f);
+}
+
+SHARED_FN vec3 channelMask(const uint channel) {
+    return vec3(channel == 0u ? 3.0f : 0.0f, channel == 1u ? 3.0f : 0.0f, channel == 2u ? 3.0f : 0.0f);
+}
+
+SHARED_ASSERT_SIZE(SurfaceMaterial, 112)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, metallic, 12)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, specularColor, 16)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, specular, 28)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, sheenColor, 32)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, sheenRoughness, 44)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, diffuseTransmissionColor, 48)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, diffuseTransmission, 60)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, roughness, 64)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, ior, 68)
+SHARED_ASSERT_OFFSET(SurfaceMaterial, flags, 100)
+SHARED_ASSERT_SIZE(SurfaceFrame, 80)
+SHARED_ASSERT_OFFSET(SurfaceFrame, tangent, 16)
+SHARED_ASSERT_OFFSET(SurfaceFrame, bitangent, 32)
+SHARED_ASSERT_OFFSET(SurfaceFrame, coatNormal, 48)
+SHARED_ASSERT_OFFSET(SurfaceFrame, geometricNormal, 64)
+
+SHARED_END
+#endif
