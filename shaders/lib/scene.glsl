@@ -27,9 +27,8 @@ Trace startTrace(const Ray ray) { return Trace(Hit(ray.tMax, kNoTriangle), 0u, 0
 // driver: Mesa's llvmpipe (22.3.6) leaves all loops after 65,535 turns together, without a word.
 void finish(inout Trace trace) { trace.finished = trace.tests == trace.due; }
 
-// Tests the triangle in `slot` and keeps it where it is closer than what `trace` has.
-void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
-    ++trace.tests;
+// Keeps the triangle in `slot` where the ray meets it closer than what `trace` has.
+void keepCloser(const Ray ray, const uint slot, inout Trace trace) {
     const TriangleRecord triangle = loadTriangle(slot);
     const float t = intersectTriangle(ray, triangle.v0, triangle.v1, triangle.v2);
     if (t != kNoHit && t <= trace.hit.t) {
@@ -41,18 +40,24 @@ void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
     }
 }
 
+void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
+    ++trace.tests;
+    keepCloser(ray, slot, trace);
+}
+
 void testTriangles(const Ray ray, const uint first, const uint count, inout Trace trace) {
-    trace.due += count;
     uint slot = first;
     const uint end = first + count;
     if (slot < end) {
         // llvmpipe leaves a loop at its end only: with the question at the top it would make one turn too
         // many.
         do {
-            testTriangle(ray, slot, trace);
+            keepCloser(ray, slot, trace);
             ++slot;
         } while (slot < end);
     }
+    trace.tests += slot - first;
+    trace.due += count;
 }
 
 bool isDone(const Trace trace, const bool anyHit) { return anyHit && trace.hit.triangleId != kNoTriangle; }

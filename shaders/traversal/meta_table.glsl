@@ -22,23 +22,30 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         finish(trace);
         return;
     }
-    ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution));
+    BoxExit next = BoxExit(ray.tNear, cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution)));
 
-    // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
+    // Holds here: next.cell lies in the lattice, and every triangle that the ray meets before it has been
+    // tested.
     while (true) {
-        ++trace.steps;
-        const Leaf leaf = loadLeaf(LOAD1(leafOfCell, cellIndex(cell, lattice.resolution)));
+        // Most leaves on the way are empty. They have a loop of their own, for llvmpipe would run a triangle
+        // test for each of them. The `if` is always true, and is needed there (Mesa 22.3.6): rays that have
+        // left a loop go through it with the others, and only what is assigned under a condition stays as it
+        // was.
+        Leaf leaf = Leaf(0u, 0u, 0u, 0u);
+        do {
+            if (leaf.triangleCount == 0u) {
+                ++trace.steps;
+                leaf = loadLeaf(LOAD1(leafOfCell, cellIndex(next.cell, lattice.resolution)));
+                next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), next.cell);
+            }
+        } while (leaf.triangleCount == 0u && next.t < trace.hit.t &&
+                 isInLattice(next.cell, lattice.resolution));
+
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        if (isDone(trace, anyHit)) {
-            finish(trace);
-            return;
-        }
-        const BoxExit next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), cell);
         // A triangle may reach past the box: only a hit inside it is known to be the closest.
-        if (trace.hit.t <= next.t || !isInLattice(next.cell, lattice.resolution)) {
+        if (isDone(trace, anyHit) || trace.hit.t <= next.t || !isInLattice(next.cell, lattice.resolution)) {
             finish(trace);
             return;
         }
-        cell = next.cell;
     }
 }

@@ -19,26 +19,34 @@ constexpr double kMaxExtent = 1e10;
 constexpr double kUnitRounding = 0x1p-22;
 
 // Chosen by measurement: README.md in this folder.
-constexpr double kCellsPerTriangle = 8.0;
+constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
 constexpr double kMaxCells = 0x1p24;
+
+// Method 2's quantum where none is asked for, as a fraction of the longest side: 2^24 cells at most, whatever
+// the divisors are.
+constexpr double kDefaultQuantum = 0x1p-8;
+
+// Finer ones would be finer than the margin of the references.
+constexpr double kMostQuanta = 1.0 / kReferenceMargin;
 
 glm::dvec3 cellCounts(const glm::dvec3 extent, const glm::dvec3 unit) {
     return glm::max(glm::ceil(extent / unit * (1.0 - kUnitRounding)), glm::dvec3(1.0));
 }
 
+double largestOf(const glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 double product(const glm::dvec3 v) { return v.x * v.y * v.z; }
 
 // The smallest cubic unit with at most `cells` cells in all and kMaxLatticeResolution on an axis, by
 // bisection.
 glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
-    const double longest = std::max({extent.x, extent.y, extent.z});
+    const double longest = largestOf(extent);
     double tooSmall = longest / kMaxLatticeResolution * 0.5;
     double fits = longest;
     for (int i = 0; i < 60; ++i) {
         const double unit = 0.5 * (tooSmall + fits);
         const glm::dvec3 counts = cellCounts(extent, glm::dvec3(unit));
-        const bool fitsAxis = std::max({counts.x, counts.y, counts.z}) <= kMaxLatticeResolution;
+        const bool fitsAxis = largestOf(counts) <= kMaxLatticeResolution;
         (fitsAxis && product(counts) <= cells ? fits : tooSmall) = unit;
     }
     return glm::dvec3(fits);
@@ -47,52 +55,76 @@ glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
 // A number printed with six digits may be this much too small.
 constexpr double kDigitsRounding = 1.0 + 5e-6;
 
-void refuseOverLimit(const glm::dvec3 counts, const glm::dvec3 extent) {
-    const double longest = std::max({counts.x, counts.y, counts.z});
-    if (longest > kMaxLatticeResolution) {
+void refuseOverLimit(const glm::dvec3 counts, const double longestSide) {
+    if (largestOf(counts) > kMaxLatticeResolution) {
         throw Error(
             ExitCode::outOfMemory,
             fmt::format(
                 "the unit length asks for {:.0f} x {:.0f} x {:.0f} cells, and a lattice has at most {} "
                 "on an axis; choose a unit of at least {:.6g}",
                 counts.x, counts.y, counts.z, kMaxLatticeResolution,
-                std::max({extent.x, extent.y, extent.z}) / kMaxLatticeResolution * kDigitsRounding));
+                longestSide / kMaxLatticeResolution * kDigitsRounding));
     }
-    const double bytes = product(counts) * sizeof(std::uint32_t);
-    if (bytes > static_cast<double>(kTableBudget)) {
+    refuseOverBudget(counts, fmt::format("choose a larger --unit or --cells below {}",
+                                         kTableBudget / sizeof(std::uint32_t)));
+}
+
+// The box to lay a lattice over: the scene's, or a unit cube for one without triangles.
+struct Extents {
+    glm::dvec3 lo;
+    glm::dvec3 hi;
+    glm::dvec3 size;
+    double longest;
+};
+
+Extents extentsOf(const Bounds& bounds, const std::uint32_t triangleCount) {
+    const bool empty = triangleCount == 0;
+    Extents extents;
+    extents.lo = empty ? glm::dvec3(0.0) : glm::dvec3(bounds.lo);
+    extents.hi = empty ? glm::dvec3(1.0) : glm::dvec3(bounds.hi);
+    extents.size = extents.hi - extents.lo;
+    extents.longest = largestOf(extents.size);
+    if (extents.longest < kMinExtent || extents.longest > kMaxExtent) {
         throw Error(
-            ExitCode::outOfMemory,
+            ExitCode::sceneRefused,
             fmt::format(
-                "a meta table of {:.0f} x {:.0f} x {:.0f} cells takes {:.0f} MiB, more than the {} MiB "
-                "allowed; choose a larger --unit or --cells below {}",
-                counts.x, counts.y, counts.z, bytes / 0x1p20, kTableBudget >> 20u,
-                kTableBudget / sizeof(std::uint32_t)));
+                "the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; use --scale",
+                extents.longest, kMinExtent, kMaxExtent));
     }
+    return extents;
+}
+
+// The lattice of `counts` cells with the box in its middle. Padding is measured by `longest` or the lattice's
+// side, where that is longer. The rounded origin and scale are the lattice; everything else follows them.
+Lattice place(const Extents& box, const glm::dvec3& unit, const glm::dvec3& counts, const double longest) {
+    Lattice lattice;
+    lattice.resolution = glm::uvec3(counts);
+    lattice.cellCount = lattice.resolution.x * lattice.resolution.y * lattice.resolution.z;
+    lattice.extent = 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double side = std::max(unit[axis] * counts[axis], box.size[axis]);
+        // Far from the world's origin it must also cover the rounding of positions.
+        const double farthest = std::max(std::abs(box.lo[axis]), std::abs(box.hi[axis]));
+        const double padding = kBoxPadding * std::max(side, longest) + 4.0 * farthest * 0x1p-24;
+        const double slack = std::max(side - box.size[axis], 2.0 * padding);
+        lattice.origin[axis] = static_cast<float>(box.lo[axis] - 0.5 * slack);
+        const double reach = box.hi[axis] + 0.5 * slack - static_cast<double>(lattice.origin[axis]);
+        lattice.cellsPerUnit[axis] = static_cast<float>(counts[axis] / reach);
+        lattice.extent = std::max(lattice.extent, static_cast<float>(reach));
+    }
+    return lattice;
 }
 
 } // namespace
 
 LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCount,
                           const AccelerationOptions& options) {
-    // A scene without triangles has one empty cell.
-    const bool empty = triangleCount == 0;
-    const glm::dvec3 lo = empty ? glm::dvec3(0.0) : glm::dvec3(bounds.lo);
-    const glm::dvec3 hi = empty ? glm::dvec3(1.0) : glm::dvec3(bounds.hi);
-    const glm::dvec3 extent = hi - lo;
-    const double longest = std::max({extent.x, extent.y, extent.z});
-    if (longest < kMinExtent || longest > kMaxExtent) {
-        throw Error(
-            ExitCode::sceneRefused,
-            fmt::format(
-                "the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; use --scale",
-                longest, kMinExtent, kMaxExtent));
-    }
-
+    const Extents extents = extentsOf(bounds, triangleCount);
     LatticeChoice choice;
     if (options.partition) {
-        choice.unit = extent / glm::dvec3(options.partition->resolution);
-    } else if (empty) {
-        choice.unit = extent;
+        choice.unit = extents.size / glm::dvec3(options.partition->resolution);
+    } else if (triangleCount == 0) {
+        choice.unit = extents.size; // one empty cell
     } else if (options.unit) {
         choice.unit = *options.unit;
     } else {
@@ -107,30 +139,45 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
                     cells, cells * sizeof(std::uint32_t) / 0x1p20, kTableBudget >> 20u,
                     kTableBudget / sizeof(std::uint32_t)));
         }
-        choice.unit = unitForCells(extent, cells);
+        choice.unit = unitForCells(extents.size, cells);
     }
     const glm::dvec3 counts =
-        options.partition ? glm::dvec3(options.partition->resolution) : cellCounts(extent, choice.unit);
-    refuseOverLimit(counts, extent);
+        options.partition ? glm::dvec3(options.partition->resolution) : cellCounts(extents.size, choice.unit);
+    refuseOverLimit(counts, extents.longest);
 
-    // The rounded origin and scale are the lattice; everything else follows them. Far from the world's origin
-    // the padding must also cover the rounding of positions.
-    Lattice& lattice = choice.lattice;
-    lattice.resolution = glm::uvec3(counts);
-    lattice.cellCount = lattice.resolution.x * lattice.resolution.y * lattice.resolution.z;
-    lattice.triangleCount = triangleCount;
-    lattice.extent = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double side = std::max(choice.unit[axis] * counts[axis], extent[axis]);
-        const double farthest = std::max(std::abs(lo[axis]), std::abs(hi[axis]));
-        const double padding = kBoxPadding * std::max(side, longest) + 4.0 * farthest * 0x1p-24;
-        const double slack = std::max(side - extent[axis], 2.0 * padding);
-        lattice.origin[axis] = static_cast<float>(lo[axis] - 0.5 * slack);
-        const double reach = hi[axis] + 0.5 * slack - static_cast<double>(lattice.origin[axis]);
-        lattice.cellsPerUnit[axis] = static_cast<float>(counts[axis] / reach);
-        lattice.extent = std::max(lattice.extent, static_cast<float>(reach));
-    }
+    choice.lattice = place(extents, choice.unit, counts, extents.longest);
+    choice.lattice.triangleCount = triangleCount;
     return choice;
+}
+
+LatticeChoice makeQuantumLattice(const Bounds& bounds, const std::uint32_t triangleCount,
+                                 const std::optional<double> quantum) {
+    const Extents extents = extentsOf(bounds, triangleCount);
+    const double side = quantum.value_or(kDefaultQuantum * extents.longest);
+    LatticeChoice choice;
+    choice.unit = glm::dvec3(side);
+    const glm::dvec3 counts = cellCounts(extents.size, choice.unit);
+    if (largestOf(counts) > kMostQuanta) {
+        throw Error(
+            ExitCode::badArguments,
+            fmt::format("--quantum {:g}: finer than single precision; give at least {:.6g} for this scene",
+                        side, extents.longest / kMostQuanta * kDigitsRounding));
+    }
+    // The last cell of several quanta may stick out by almost as much again.
+    choice.lattice = place(extents, choice.unit, counts, 2.0 * extents.longest);
+    choice.lattice.triangleCount = triangleCount;
+    return choice;
+}
+
+void refuseOverBudget(const glm::dvec3& counts, const std::string& hint) {
+    const double bytes = product(counts) * sizeof(std::uint32_t);
+    if (bytes > static_cast<double>(kTableBudget)) {
+        throw Error(
+            ExitCode::outOfMemory,
+            fmt::format("a meta table of {:.0f} x {:.0f} x {:.0f} cells takes {:.0f} MiB, more than the "
+                        "{} MiB allowed; {}",
+                        counts.x, counts.y, counts.z, bytes / 0x1p20, kTableBudget >> 20u, hint));
+    }
 }
 
 glm::dvec3 toLattice(const Lattice& lattice, const glm::vec3 position) {
