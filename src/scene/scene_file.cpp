@@ -42,7 +42,9 @@ std::vector<unsigned char> SceneFile::read() const {
 
 bool SceneFile::isBeside(const std::filesystem::path& other) const {
     std::error_code failure;
-    const std::filesystem::path resolved = std::filesystem::weakly_canonical(other, failure);
+    // Absolute first: of a relative path none of whose folders exist weakly_canonical makes nothing better.
+    const std::filesystem::path resolved =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(other), failure);
     if (failure)
         return false;
     return std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end()).first ==

@@ -3,6 +3,8 @@
 To test another call, add a line to CASES; to test a file, write it in make_files(). `{scenes}` is the project's folder of
 scenes; all else is relative to a temporary folder.
 """
+import base64
+import json
 import re
 import struct
 import zlib
@@ -23,6 +25,17 @@ def png(path, color):
                      + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
+def triangle(path, **members):
+    """A glTF of one triangle with material 0, where `members` have one."""
+    primitive = {"attributes": {"POSITION": 0}, **({"material": 0} if "materials" in members else {})}
+    buffer = base64.b64encode(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)).decode()
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [primitive]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:;base64," + buffer}], **members}))
+
+
 def make_files(tmp):
     png(tmp / "black.png", (0, 0, 0))
     png(tmp / "grey.png", (0, 51, 0))  # 51 / 255 = 0.2
@@ -38,6 +51,9 @@ def make_files(tmp):
     (tmp / "huge.json").write_text('{"resolution": [1000, 1000, 1000], "boxes": []}')
     for length in (4, 12, 20, 700, len(cornell) - 1):
         (tmp / f"first_{length}.glb").write_bytes(cornell[:length])
+    triangle(tmp / "variants.gltf", extensions={"KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "green"}]}})
+    triangle(tmp / "painted.gltf", images=[{"uri": "gone.png"}], textures=[{"source": 0}],
+             materials=[{"emissiveTexture": {"index": 0}}])
     for ending in ("glb", "gltf", "obj", "ply", "off", "stl"):
         (tmp / f"empty.{ending}").write_bytes(b"")
         (tmp / f"prose.{ending}").write_text("It was a dark and stormy night;\nthe rain fell in torrents.\n")
@@ -141,6 +157,18 @@ CASES = [
     ("info cornell.glb --scale 1e30", 3, NO_OUTPUT, r"the scene's longest side is 5.59e\+29, .* use --scale"),
     ("info cornell.glb --scale -1", 0, r"vertices +64\n.*", NO_OUTPUT),
     ("info cornell.glb --scale 1e-30", 0, ANYTHING, r"warning: all 32 triangles are degenerate, nothing is visible; .*"),
+    # what of a scene is wanted
+    ("info cornell.glb --variant red", 2, NO_OUTPUT, r"--variant red: no such variant; the scene has none"),
+    ("info variants.gltf --variant blue", 2, NO_OUTPUT, r"--variant blue: no such variant; the scene has 0 'red', 1 'green'"),
+    ("info variants.gltf --variant green", 0, r"vertices +3\n.*", NO_OUTPUT),
+    ("info painted.gltf", 3, NO_OUTPUT, r"painted.gltf: texture 'gone.png' is missing"),
+    ("info painted.gltf --allow-missing-textures", 0, r"vertices +3\n.*",
+     r"warning: painted.gltf: texture 'gone.png' is missing; its uses are left out"),
+    ("info cornell.glb --time 1", 0, r"vertices +64\n.*", r"warning: cornell.glb: there is no animation, .*"),
+    ("info cornell.glb --time nan", 2, NO_OUTPUT, r"--time nan: give finite seconds"),
+    ("info cornell.glb --time 1 --animation walk", 2, NO_OUTPUT,
+     r"--animation walk: no such animation; the scene has none"),
+    ("info cornell.glb --animation walk", 2, NO_OUTPUT, r"--animation needs --time"),
     # render: device and method
     ("render cornell.glb -o a.exr --device 99", 4, NO_OUTPUT, r"--device 99: there is no such device; devices: 0: .*"),
     ("render cornell.glb -o a.exr --device nonsense", 4, NO_OUTPUT, r"--device 'nonsense': fits no usable device; .*"),

@@ -172,6 +172,16 @@ TEST(GltfTexture, MissingOrBrokenIsRefusedByName) {
     EXPECT_EQ(refusal("data:image/png,abc"), "image 0 has a data URI that is not base64");
 }
 
+TEST(GltfTexture, MissingBesideASceneWithoutAFolder) {
+    PaintedFile file;
+    file.root["images"][0]["uri"] = "gone.png";
+    file.write();
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(file.folder / "");
+    EXPECT_EQ(refusalOf("scene.gltf"), "texture 'gone.png' is missing");
+    std::filesystem::current_path(before);
+}
+
 TEST(GltfTexture, MissingMayBeAllowed) {
     PaintedFile file;
     file.root["images"] = {{{"uri", "gone.png"}}, {{"uri", "wood.png"}}};

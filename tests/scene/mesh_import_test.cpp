@@ -81,7 +81,7 @@ TEST_F(MeshImport, ObjNamesMaterialsAndJoinedVertices) {
     const Material& lamp = scene.materials[scene.triangleMaterial[3]];
     EXPECT_EQ(red.name, "red");
     EXPECT_EQ(red.baseColorFactor, glm::vec4(1, 0.25f, 0, 1));
-    EXPECT_EQ(lamp.emissiveFactor, glm::vec3(2, 3, 4));
+    EXPECT_EQ(lamp.emissiveFactor * lamp.emissiveStrength, glm::vec3(2, 3, 4));
     EXPECT_TRUE(scene.warnings.empty());
 }
 
