@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace metamarch::cli {
 
@@ -29,6 +30,21 @@ void StructureOptions::addTo(CLI::App& command) {
             ->type_name("N")
             ->excludes(unitOption)
             ->group(group);
+    command
+        .add_option(
+            "--table", table,
+            "How the table comes to its cells. unit: from --unit or --cells, and the tree after it; gcd: "
+            "from the planes of a finished tree, by their greatest common divisors; rectilinear: uneven "
+            "cells between the planes of a finished tree (default unit)")
+        ->check(CLI::IsMember({"unit", "gcd", "rectilinear"}))
+        ->group(group);
+    command
+        .add_option(
+            "--quantum", quantum,
+            "With --table gcd: planes are rounded to multiples of Q scene units (default: 1/256 of the "
+            "longest side)")
+        ->type_name("Q")
+        ->group(group);
     CLI::Option* const mergeOption =
         command.add_flag("--merge", merge, "Merge leaves of the table where that costs a ray no more")
             ->group(group);
@@ -52,6 +68,24 @@ void StructureOptions::addTo(CLI::App& command) {
         ->group(group);
 }
 
+TableMethod StructureOptions::parseTable() const {
+    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    const TableMethod method = table == "gcd"           ? TableMethod::gcd
+                               : table == "rectilinear" ? TableMethod::rectilinear
+                                                        : TableMethod::unit;
+    if (method == TableMethod::gcd && (!unit.empty() || cells || !partitionPath.empty())) {
+        refuse(
+            "--table gcd takes its cells from the tree's planes: --unit, --cells and --partition exclude it");
+    }
+    if (quantum && method != TableMethod::gcd) {
+        refuse("--quantum is for --table gcd");
+    }
+    if (quantum && !(*quantum > 0.0 && std::isfinite(*quantum))) {
+        refuse(fmt::format("--quantum {}: give a length greater than 0", *quantum));
+    }
+    return method;
+}
+
 AccelerationOptions StructureOptions::parse() const {
     AccelerationOptions options;
     if (!unit.empty()) {
@@ -72,6 +106,8 @@ AccelerationOptions StructureOptions::parse() const {
     if (cells) {
         options.cells = static_cast<std::uint64_t>(std::min(*cells, 0x1p62)); // far over the limit
     }
+    options.table = parseTable();
+    options.quantum = quantum;
     options.treeDepth = treeDepth;
     options.exitBoxes = !noExitBoxes;
     options.mergeLeaves = merge;

@@ -17,6 +17,8 @@ class StructureOptions {
     AccelerationOptions parse() const;
 
   private:
+    TableMethod parseTable() const;
+
     std::string unit;
     std::string preset;
     std::optional<double> cells; // as a number: an unsigned integer would take -5 for 2^64 - 5
@@ -24,6 +26,8 @@ class StructureOptions {
     bool noExitBoxes = false;
     bool merge = false;
     std::string partitionPath;
+    std::string table;
+    std::optional<double> quantum;
 };
 
 } // namespace metamarch::cli

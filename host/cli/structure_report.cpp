@@ -48,6 +48,11 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["lattice"]["unit"] = toArray(structure.unit);
     report["table"]["cells"] = structure.lattice.cellCount;
     report["table"]["leaves"] = structure.table.leaves.size();
+    if (structure.rounding) {
+        report["planes"]["quantum"] = structure.rounding->quantum;
+        report["planes"]["movedAtMost"] = structure.rounding->farthest;
+        report["planes"]["quantaPerCell"] = toArray(structure.rounding->quantaPerCell);
+    }
     report["tree"]["nodes"] = tree.nodes.size();
     report["tree"]["leaves"] = tree.leaves.size() - emptyLeaves;
     report["tree"]["emptyLeaves"] = emptyLeaves;

@@ -194,7 +194,8 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
     const float alpha = material.roughness * material.roughness;
     const float alphaAlong = max(blend(alpha, 1.0f, squared(material.anisotropy)), kMinAlpha);
     const float alphaAcross = max(alpha, kMinAlpha);
-    const float meanAlpha = sqrt(0.5f * (squared(alphaAlong) + squared(alphaAcross)));
+    const float meanAlpha =
+        0.25f * (alphaAlong + alphaAcross) + 0.5f * sqrt(0.5f * (squared(alphaAlong) + squared(alphaAcross)));
     const bool isBaseSmooth = alphaAlong <= kMinAlpha;
     const vec2 alphas = vec2(alphaAlong, alphaAcross);
     bsdf.wo = wLocal;

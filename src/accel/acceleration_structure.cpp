@@ -34,6 +34,45 @@ glm::vec3 corner(const Scene& scene, const std::uint32_t triangleId, const int i
     return scene.positions[scene.triangles[triangleId][i]];
 }
 
+std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const Scene& scene,
+                                       const std::vector<std::uint32_t>& ids) {
+    std::vector<LatticeTriangle> corners(ids.size());
+    tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
+        for (int k = 0; k < 3; ++k) {
+            corners[i][static_cast<std::size_t>(k)] = toLattice(lattice, corner(scene, ids[i], k));
+        }
+    });
+    return corners;
+}
+
+// Chooses the lattice and builds the tree on it; returns the triangles in its space.
+std::vector<LatticeTriangle> layTree(const Scene& scene, const std::vector<std::uint32_t>& ids,
+                                     const AccelerationOptions& options, const unsigned depth,
+                                     AccelerationStructure& result) {
+    const auto count = static_cast<std::uint32_t>(ids.size());
+    if (options.table != TableMethod::gcd) {
+        const LatticeChoice choice = makeLattice(boundsOf(scene), count, options);
+        result.lattice = choice.lattice;
+        result.unit = choice.unit;
+        std::vector<LatticeTriangle> corners = cornersIn(result.lattice, scene, ids);
+        result.tree = buildKdTree(result.lattice, corners, ids, depth);
+        return corners;
+    }
+    const LatticeChoice quanta = makeQuantumLattice(boundsOf(scene), count, options.quantum);
+    const GcdLattice gcd = makeGcdLattice(
+        quanta.lattice, planSplits(quanta.lattice, cornersIn(quanta.lattice, scene, ids), depth));
+    result.lattice = gcd.lattice;
+    result.rounding = gcd.rounding;
+    result.unit = quanta.unit * glm::dvec3(gcd.rounding.quantaPerCell);
+    std::vector<LatticeTriangle> corners = cornersIn(result.lattice, scene, ids);
+    const auto cellsOf = [margin = referenceMargin(result.lattice)](const LatticeTriangle& triangle,
+                                                                    const CellRange& box) {
+        return touchedCells(triangle, box, margin);
+    };
+    result.tree = buildPlannedKdTree(result.lattice.resolution, cellsOf, corners, ids, gcd.plan);
+    return corners;
+}
+
 } // namespace
 
 std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
@@ -69,19 +108,8 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
 
     AccelerationStructure result;
     result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
-    const LatticeChoice choice =
-        makeLattice(boundsOf(scene), static_cast<std::uint32_t>(ids.size()), options);
-    result.lattice = choice.lattice;
-    result.unit = choice.unit;
-
     auto clock = std::chrono::steady_clock::now();
-    std::vector<LatticeTriangle> corners(ids.size());
-    tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
-        for (int k = 0; k < 3; ++k) {
-            corners[i][static_cast<std::size_t>(k)] = toLattice(result.lattice, corner(scene, ids[i], k));
-        }
-    });
-    result.tree = buildKdTree(result.lattice, corners, ids, depth);
+    std::vector<LatticeTriangle> corners = layTree(scene, ids, options, depth, result);
     result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
     result.treeSeconds = lap(clock);
     if (options.partition) {

@@ -1,5 +1,6 @@
 // Everything rays need of a scene: lattice, kd-tree, meta table and the triangle records in leaf order.
 #pragma once
+#include "accel/gcd_lattice.h"
 #include "accel/kd_tree.h"
 #include "accel/lattice.h"
 #include "accel/meta_table.h"
@@ -13,7 +14,8 @@ namespace metamarch {
 
 struct AccelerationStructure {
     Lattice lattice;
-    glm::dvec3 unit; // LatticeChoice::unit
+    glm::dvec3 unit;                       // LatticeChoice::unit
+    std::optional<PlaneRounding> rounding; // of method 2
     KdTree tree;
     MetaTable table;
     std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles
@@ -28,7 +30,8 @@ struct AccelerationStructure {
     double tableSeconds = 0.0;
 };
 
-// Throws what makeLattice and buildKdTree throw; Error(badArguments) for a depth over kMaxTreeDepth.
+// Throws what makeLattice, makeGcdLattice and buildKdTree throw; Error(badArguments) for a depth over
+// kMaxTreeDepth.
 AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options);
 
 // The records of `triangleIds`, in their order.

@@ -35,15 +35,70 @@ struct Children {
     References above;
 };
 
+// Where a node is split, and what the splitter needs to go on from there.
+struct Cut {
+    unsigned axis;
+    std::uint16_t plane;
+    std::uint32_t below;
+    std::uint32_t above;
+};
+
+// Splits by cost; counts the levels.
+class CostSplitter {
+  public:
+    CostSplitter(const Lattice& lattice, const unsigned depthLimit)
+        : maxDepth(depthLimit), cellSize(1.0 / glm::dvec3(lattice.cellsPerUnit)) {}
+
+    std::optional<Cut> operator()(const References& references, const CellRange& box,
+                                  const std::uint32_t depth) const {
+        const std::optional<Split> split =
+            depth == maxDepth ? std::nullopt : findSplit(references, box, cellSize);
+        if (!split || split->cost >= leafCost(references.size())) {
+            return std::nullopt;
+        }
+        return Cut{split->axis, split->plane, depth + 1, depth + 1};
+    }
+
+  private:
+    std::uint32_t maxDepth;
+    glm::dvec3 cellSize;
+};
+
+// Splits by a plan; walks its nodes.
+class PlanSplitter {
+  public:
+    explicit PlanSplitter(const SplitPlan& usedPlan) : plan(usedPlan) {}
+
+    std::optional<Cut> operator()(const References&, const CellRange& box, std::uint32_t nodeId) const {
+        while (plan.nodes[nodeId].axis != kNoSplit) {
+            const PlannedNode& node = plan.nodes[nodeId];
+            if (node.plane <= box.lo[node.axis]) {
+                nodeId = node.above;
+            } else if (node.plane > box.hi[node.axis]) {
+                nodeId = nodeId + 1;
+            } else {
+                return Cut{node.axis, static_cast<std::uint16_t>(node.plane), nodeId + 1, node.above};
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    const SplitPlan& plan;
+};
+
+using Splitter = std::function<std::optional<Cut>(const References& references, const CellRange& box,
+                                                  std::uint32_t state)>;
+
 class Builder {
   public:
-    Builder(const Lattice& lattice, std::span<const LatticeTriangle> triangles,
-            std::span<const std::uint32_t> triangleIds, unsigned depthLimit)
-        : corners(triangles), ids(triangleIds), maxDepth(depthLimit), margin(referenceMargin(lattice)),
-          cellSize(1.0 / glm::dvec3(lattice.cellsPerUnit)) {
+    Builder(const uvec3 resolution, std::span<const LatticeTriangle> triangles,
+            std::span<const std::uint32_t> triangleIds, CellsOfTriangle usedCells, Splitter usedSplitter)
+        : corners(triangles), ids(triangleIds), cellsOf(std::move(usedCells)),
+          splitter(std::move(usedSplitter)) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             root.lo[axis] = 0;
-            root.hi[axis] = static_cast<std::uint16_t>(lattice.resolution[static_cast<int>(axis)] - 1);
+            root.hi[axis] = static_cast<std::uint16_t>(resolution[static_cast<int>(axis)] - 1);
         }
     }
 
@@ -52,7 +107,7 @@ class Builder {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners.size(), kChunk), [&](const auto& range) {
             for (std::size_t i = range.begin(); i != range.end(); ++i) {
                 // In a box of the whole lattice something of every triangle remains.
-                references[i] = {static_cast<std::uint32_t>(i), *touchedCells(corners[i], root, margin)};
+                references[i] = {static_cast<std::uint32_t>(i), *cellsOf(corners[i], root)};
             }
         });
         return buildNode(root, std::move(references), 0);
@@ -60,12 +115,11 @@ class Builder {
 
   private:
     std::unique_ptr<BuildNode> buildNode(const CellRange& box, References references,
-                                         const unsigned depth) const {
+                                         const std::uint32_t state) const {
         auto node = std::make_unique<BuildNode>();
         node->box = box;
-        const std::optional<Split> split =
-            references.empty() || depth == maxDepth ? std::nullopt : findSplit(references, box, cellSize);
-        if (!split || split->cost >= leafCost(references.size())) {
+        const std::optional<Cut> cut = references.empty() ? std::nullopt : splitter(references, box, state);
+        if (!cut) {
             node->triangleIds.reserve(references.size());
             for (const TriangleReference& reference : references) {
                 node->triangleIds.push_back(ids[reference.triangleId]);
@@ -73,37 +127,37 @@ class Builder {
             return node;
         }
 
-        node->axis = split->axis;
-        node->plane = split->plane;
+        node->axis = cut->axis;
+        node->plane = cut->plane;
         CellRange boxBelow = box;
         CellRange boxAbove = box;
-        boxBelow.hi[split->axis] = static_cast<std::uint16_t>(split->plane - 1);
-        boxAbove.lo[split->axis] = split->plane;
-        Children children = distribute(references, *split, boxBelow, boxAbove);
+        boxBelow.hi[cut->axis] = static_cast<std::uint16_t>(cut->plane - 1);
+        boxAbove.lo[cut->axis] = cut->plane;
+        Children children = distribute(references, *cut, boxBelow, boxAbove);
         const bool parallel = references.size() > kChunk;
         References().swap(references); // the two halves need the memory
 
         if (parallel) {
             tbb::task_group tasks;
-            tasks.run([&] { node->below = buildNode(boxBelow, std::move(children.below), depth + 1); });
-            node->above = buildNode(boxAbove, std::move(children.above), depth + 1);
+            tasks.run([&] { node->below = buildNode(boxBelow, std::move(children.below), cut->below); });
+            node->above = buildNode(boxAbove, std::move(children.above), cut->above);
             tasks.wait();
         } else {
-            node->below = buildNode(boxBelow, std::move(children.below), depth + 1);
-            node->above = buildNode(boxAbove, std::move(children.above), depth + 1);
+            node->below = buildNode(boxBelow, std::move(children.below), cut->below);
+            node->above = buildNode(boxAbove, std::move(children.above), cut->above);
         }
         return node;
     }
 
     // Hands the references down in order, chunk by chunk, so that the result does not depend on the threads.
-    Children distribute(const References& references, const Split& split, const CellRange& boxBelow,
+    Children distribute(const References& references, const Cut& cut, const CellRange& boxBelow,
                         const CellRange& boxAbove) const {
         const std::size_t chunkCount = (references.size() + kChunk - 1) / kChunk;
         std::vector<Children> chunks(chunkCount);
         tbb::parallel_for(std::size_t{0}, chunkCount, [&](const std::size_t chunk) {
             const std::size_t end = std::min(references.size(), (chunk + 1) * kChunk);
             for (std::size_t i = chunk * kChunk; i < end; ++i) {
-                hand(references[i], split, boxBelow, boxAbove, chunks[chunk]);
+                hand(references[i], cut, boxBelow, boxAbove, chunks[chunk]);
             }
         });
         Children children = std::move(chunks.front());
@@ -114,18 +168,18 @@ class Builder {
         return children;
     }
 
-    void hand(const TriangleReference& reference, const Split& split, const CellRange& boxBelow,
+    void hand(const TriangleReference& reference, const Cut& cut, const CellRange& boxBelow,
               const CellRange& boxAbove, Children& children) const {
-        if (reference.cells.hi[split.axis] < split.plane) {
+        if (reference.cells.hi[cut.axis] < cut.plane) {
             children.below.push_back(reference);
-        } else if (reference.cells.lo[split.axis] >= split.plane) {
+        } else if (reference.cells.lo[cut.axis] >= cut.plane) {
             children.above.push_back(reference);
         } else {
             const LatticeTriangle& triangle = corners[reference.triangleId];
-            if (const auto cells = touchedCells(triangle, boxBelow, margin)) {
+            if (const auto cells = cellsOf(triangle, boxBelow)) {
                 children.below.push_back({reference.triangleId, *cells});
             }
-            if (const auto cells = touchedCells(triangle, boxAbove, margin)) {
+            if (const auto cells = cellsOf(triangle, boxAbove)) {
                 children.above.push_back({reference.triangleId, *cells});
             }
         }
@@ -133,9 +187,8 @@ class Builder {
 
     std::span<const LatticeTriangle> corners;
     std::span<const std::uint32_t> ids;
-    unsigned maxDepth;
-    glm::dvec3 margin;
-    glm::dvec3 cellSize;
+    CellsOfTriangle cellsOf;
+    Splitter splitter;
     CellRange root{};
 };
 
@@ -168,6 +221,12 @@ void flatten(const BuildNode& node, const unsigned depth, KdTree& tree) {
     }
 }
 
+KdTree flattened(const Builder& builder) {
+    KdTree tree;
+    flatten(*builder.build(), 0, tree);
+    return tree;
+}
+
 } // namespace
 
 unsigned defaultTreeDepth(const std::uint32_t triangleCount) {
@@ -177,10 +236,18 @@ unsigned defaultTreeDepth(const std::uint32_t triangleCount) {
 
 KdTree buildKdTree(const Lattice& lattice, const std::span<const LatticeTriangle> corners,
                    const std::span<const std::uint32_t> triangleIds, const unsigned maxDepth) {
-    const std::unique_ptr<BuildNode> root = Builder(lattice, corners, triangleIds, maxDepth).build();
-    KdTree tree;
-    flatten(*root, 0, tree);
-    return tree;
+    const auto cellsOf = [margin = referenceMargin(lattice)](const LatticeTriangle& triangle,
+                                                             const CellRange& box) {
+        return touchedCells(triangle, box, margin);
+    };
+    return flattened(
+        Builder(lattice.resolution, corners, triangleIds, cellsOf, CostSplitter(lattice, maxDepth)));
+}
+
+KdTree buildPlannedKdTree(const uvec3 resolution, const CellsOfTriangle& cellsOf,
+                          const std::span<const LatticeTriangle> corners,
+                          const std::span<const std::uint32_t> triangleIds, const SplitPlan& plan) {
+    return flattened(Builder(resolution, corners, triangleIds, cellsOf, PlanSplitter(plan)));
 }
 
 } // namespace metamarch

@@ -1,9 +1,11 @@
 // The kd-tree: built on the lattice, so that every leaf is a box of whole cells.
 #pragma once
 #include "accel/leaf_list.h"
+#include "accel/split_plan.h"
 #include "accel/triangle_clip.h"
 #include "shared/kd_node.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,5 +25,15 @@ unsigned defaultTreeDepth(std::uint32_t triangleCount);
 // Error(outOfMemory) where references or nodes pass 32 bits.
 KdTree buildKdTree(const Lattice& lattice, std::span<const LatticeTriangle> corners,
                    std::span<const std::uint32_t> triangleIds, unsigned maxDepth);
+
+// touchedCells of a lattice whose cells may differ in size.
+using CellsOfTriangle =
+    std::function<std::optional<CellRange>(const LatticeTriangle& triangle, const CellRange& box)>;
+
+// Builds the tree with the splits of `plan`, whose planes are lattice planes by their numbers; splits that
+// have become empty on the way there are left out. Parallel and deterministic; throws as above.
+KdTree buildPlannedKdTree(uvec3 resolution, const CellsOfTriangle& cellsOf,
+                          std::span<const LatticeTriangle> corners,
+                          std::span<const std::uint32_t> triangleIds, const SplitPlan& plan);
 
 } // namespace metamarch

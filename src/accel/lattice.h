@@ -29,6 +29,17 @@ struct LatticeChoice {
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
                           const AccelerationOptions& options);
 
+// Method 2 of the paper, first half: the lattice of quanta that planes are rounded to, which no table is made
+// of. `quantum` is in scene units; kDefaultQuantum of the longest side decides without. Throws
+// Error(sceneRefused) as makeLattice, and Error(badArguments) for a quantum below kReferenceMargin of the
+// longest side.
+LatticeChoice makeQuantumLattice(const Bounds& bounds, std::uint32_t triangleCount,
+                                 std::optional<double> quantum);
+
+// Throws Error(outOfMemory), naming the size and ending with `hint`, where a table of `counts` cells passes
+// kTableBudget.
+void refuseOverBudget(const glm::dvec3& counts, const std::string& hint);
+
 // World to lattice space, in double precision: exactly the map that the shaders round.
 glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);
 

@@ -33,20 +33,14 @@ std::optional<Split> sweepAxis(const std::span<const TriangleReference> referenc
     for (std::size_t i = 0; i < 3; ++i) {
         size[static_cast<int>(i)] = (box.hi[i] - box.lo[i] + 1) * cellSize[static_cast<int>(i)];
     }
-    const double invArea = 1.0 / halfArea(size);
+    const SplitCost costOf(size, axis);
     std::optional<Split> best;
     std::size_t below = 0;
     std::size_t above = references.size();
     for (unsigned i = 0; i < planes; ++i) { // the plane between cells first + i and first + i + 1
         below += begins[i];
         above -= ends[i];
-        glm::dvec3 lower = size;
-        glm::dvec3 upper = size;
-        lower[static_cast<int>(axis)] = (i + 1) * cellSize[static_cast<int>(axis)];
-        upper[static_cast<int>(axis)] = (planes - i) * cellSize[static_cast<int>(axis)];
-        const double crossings =
-            invArea * (halfArea(lower) * leafCost(below) + halfArea(upper) * leafCost(above));
-        const double cost = below == 0 || above == 0 ? (1.0 - kEmptyBonus) * crossings : crossings;
+        const double cost = costOf((i + 1) * cellSize[static_cast<int>(axis)], below, above);
         if (!best || cost < best->cost) {
             best = Split{axis, static_cast<std::uint16_t>(first + i + 1), cost};
         }

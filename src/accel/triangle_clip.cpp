@@ -34,42 +34,44 @@ void clip(Polygon& polygon, const int axis, const double plane, const double sid
 
 } // namespace
 
-std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
-                                      const glm::dvec3& margin) {
+std::optional<Box> clipTriangle(const LatticeTriangle& triangle, const Box& box) {
     Polygon polygon;
     std::copy(triangle.begin(), triangle.end(), polygon.corners.begin());
     polygon.size = 3;
     const glm::dvec3 lo = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
     const glm::dvec3 hi = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
-    const auto side = [](const std::uint16_t cell) { return static_cast<double>(cell); };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int axis = static_cast<int>(i);
-        const double low = side(box.lo[i]) - margin[axis];
-        const double high = side(box.hi[i]) + 1.0 + margin[axis];
-        if (lo[axis] < low) {
-            clip(polygon, axis, low, 1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (lo[axis] < box.lo[axis]) {
+            clip(polygon, axis, box.lo[axis], 1.0);
         }
-        if (hi[axis] > high) {
-            clip(polygon, axis, high, -1.0);
+        if (hi[axis] > box.hi[axis]) {
+            clip(polygon, axis, box.hi[axis], -1.0);
         }
     }
     if (polygon.size == 0) {
         return std::nullopt;
     }
-
-    glm::dvec3 partLo = polygon.corners[0];
-    glm::dvec3 partHi = polygon.corners[0];
-    for (std::size_t i = 1; i < polygon.size; ++i) {
-        partLo = glm::min(partLo, polygon.corners[i]);
-        partHi = glm::max(partHi, polygon.corners[i]);
+    Box part;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+        part.grow({polygon.corners[i], polygon.corners[i]});
     }
+    return part;
+}
+
+std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
+                                      const glm::dvec3& margin) {
+    const glm::dvec3 lo(box.lo[0], box.lo[1], box.lo[2]);
+    const glm::dvec3 hi(box.hi[0], box.hi[1], box.hi[2]);
+    const std::optional<Box> part = clipTriangle(triangle, {lo - margin, hi + 1.0 + margin});
+    if (!part) {
+        return std::nullopt;
+    }
+    const glm::dvec3 first = glm::clamp(glm::floor(part->lo - margin), lo, hi);
+    const glm::dvec3 last = glm::clamp(glm::floor(part->hi + margin), lo, hi);
     CellRange range;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int axis = static_cast<int>(i);
-        const double first = std::floor(partLo[axis] - margin[axis]);
-        const double last = std::floor(partHi[axis] + margin[axis]);
-        range.lo[i] = static_cast<std::uint16_t>(std::clamp(first, side(box.lo[i]), side(box.hi[i])));
-        range.hi[i] = static_cast<std::uint16_t>(std::clamp(last, side(box.lo[i]), side(box.hi[i])));
+        range.lo[i] = static_cast<std::uint16_t>(first[static_cast<int>(i)]);
+        range.hi[i] = static_cast<std::uint16_t>(last[static_cast<int>(i)]);
     }
     return range;
 }

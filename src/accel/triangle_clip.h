@@ -1,5 +1,7 @@
 // Which cells a triangle touches inside a box of cells, never one too few.
 #pragma once
+#include "accel/triangle_box.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -19,10 +21,13 @@ struct CellRange {
 
 using LatticeTriangle = std::array<glm::dvec3, 3>; // corners in lattice space
 
+// The smallest box around what of the triangle lies in `box`, or nothing when nothing does. I. E. Sutherland,
+// G. W. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, in double precision.
+std::optional<Box> clipTriangle(const LatticeTriangle& triangle, const Box& box);
+
 // The range of cells in the box lo..hi (inclusive) that come within `margin` (cells per axis) of the
-// triangle, or nothing when none does. I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", CACM
-// 17(1), 1974, against the box grown by the margin, in double precision: its own roundings are 2^-29 of the
-// margin.
+// triangle, or nothing when none does: clipped against the box grown by the margin, of which the roundings
+// are 2^-29.
 std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
                                       const glm::dvec3& margin);
 

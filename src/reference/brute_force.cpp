@@ -2,8 +2,8 @@
 
 namespace metamarch {
 
-TraceResult traceBruteForce(const std::span<const TriangleRecord> triangles, const Ray& ray,
-                            const HitQuery query) {
+[[gnu::flatten]] TraceResult traceBruteForce(const std::span<const TriangleRecord> triangles, const Ray& ray,
+                                             const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

@@ -16,7 +16,7 @@ struct Pending {
 } // namespace
 
 template <Invariants invariants>
-TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

@@ -8,8 +8,9 @@
 namespace metamarch {
 
 template <Invariants invariants>
-TraceResult traceKdBacktrack(const AccelerationStructure& scene, const std::span<const KdParent> parents,
-                             const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceKdBacktrack(const AccelerationStructure& scene,
+                                              const std::span<const KdParent> parents, const Ray& ray,
+                                              const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

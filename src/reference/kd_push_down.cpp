@@ -6,7 +6,8 @@
 namespace metamarch {
 
 template <Invariants invariants>
-TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray,
+                                             const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

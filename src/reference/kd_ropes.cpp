@@ -6,8 +6,9 @@
 namespace metamarch {
 
 template <Invariants invariants>
-TraceResult traceKdRopes(const AccelerationStructure& scene, const std::span<const std::uint32_t> ropes,
-                         const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceKdRopes(const AccelerationStructure& scene,
+                                          const std::span<const std::uint32_t> ropes, const Ray& ray,
+                                          const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

@@ -19,7 +19,8 @@ struct Pending {
 } // namespace
 
 template <Invariants invariants>
-TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray,
+                                               const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

@@ -13,7 +13,8 @@ struct Pending {
 
 } // namespace
 
-TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceKdStack(const AccelerationStructure& scene, const Ray& ray,
+                                          const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

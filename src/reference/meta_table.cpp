@@ -21,7 +21,8 @@ bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
 } // namespace
 
 template <Invariants invariants>
-TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray,
+                                            const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;

@@ -1,5 +1,8 @@
 // The judges: ways to find a ray's hit on the CPU. All of them read the same records with the same triangle
 // test and must name the same triangle at the same t, to the bit.
+//
+// All are [[gnu::flatten]]: the shared functions take a ray by value, and a call would copy it at each step,
+// which no compiler of shaders does.
 #pragma once
 #include "accel/acceleration_structure.h"
 #include "reference/require.h"

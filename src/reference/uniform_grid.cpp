@@ -6,7 +6,7 @@
 namespace metamarch {
 
 template <Invariants invariants>
-TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
