@@ -42,6 +42,12 @@ void printText(const nlohmann::ordered_json& report) {
     line("bounds", triple(report["bounds"]["min"], " ") + "  to  " + triple(report["bounds"]["max"], " "));
     line("lattice", fmt::format("{} = {} cells, unit {}", triple(report["lattice"]["resolution"], " x "),
                                 count("table", "cells"), triple(report["lattice"]["unit"], " ")));
+    if (report.contains("planes")) {
+        line("planes", fmt::format("moved by at most {:.4g}, to multiples of {:.4g}; {} of them a cell",
+                                   report["planes"]["movedAtMost"].get<double>(),
+                                   report["planes"]["quantum"].get<double>(),
+                                   triple(report["planes"]["quantaPerCell"], " x ")));
+    }
     line("kd-tree", fmt::format("{} nodes, depth {}", count("tree", "nodes"), count("tree", "depth")));
     line("leaves", fmt::format("{} with {} triangle references, {} empty", count("tree", "leaves"),
                                count("tree", "references"), count("tree", "emptyLeaves")));

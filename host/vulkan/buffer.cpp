@@ -32,7 +32,8 @@ vk::BufferUsageFlags usageOf(BufferUse use) {
     case BufferUse::storage:
         break;
     }
-    return Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eUniformBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+    return Usage::eStorageBuffer | Usage::eUniformTexelBuffer | Usage::eUniformBuffer | Usage::eTransferSrc |
+           Usage::eTransferDst;
 }
 
 // What the memory should have, the best first. Vulkan guarantees that the last one exists.
@@ -87,10 +88,10 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
         if (needs.size > heapSize) {
             refuseSize(device, name_, size, fmt::format("is over the memory heap, {}", byteText(heapSize)));
         }
-        const bool addressed = static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
+        const bool addressed =
+            static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
         const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
-        memory_ = {device.handle(),
-                   vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
+        memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
         buffer_.bindMemory(*memory_, 0);
         if (addressed) {
             address_ = device.handle().getBufferAddress(*buffer_);

@@ -31,8 +31,8 @@ class Buffer {
     uint64_t size() const { return size_; } // as asked for
     vk::Buffer handle() const { return *buffer_; }
     vk::DeviceAddress address() const { return address_; } // of a buffer for a BoxHierarchy; else 0
-    // The bytes as the host sees them; empty where they are device-local. Reading is valid after a Submission has been waited
-    // for.
+    // The bytes as the host sees them; empty where they are device-local. Reading is valid after a Submission
+    // has been waited for.
     std::span<std::byte> mapped() const { return mapped_; }
 
   private:

@@ -66,5 +66,16 @@ SHARED_FN vec3 filmReflectance(const float cosine, const float filmIor, const fl
     return min(max(reflectance, vec3(0.0f)), vec3(1.0f));
 }
 
+struct Film {
+    float strength; // 0: none
+    float ior;
+    float thickness; // nanometres
+};
+
+// A reflectance without the film and with it, mixed by the film's strength.
+SHARED_FN vec3 underFilm(const Film film, const vec3 reflectance, const vec3 filmed) {
+    return film.strength > 0.0f ? blend3(reflectance, filmed, film.strength) : reflectance;
+}
+
 SHARED_END
 #endif

@@ -8,6 +8,11 @@
 
 SHARED_BEGIN
 
+// Of perceptual roughness 0.01. Nearer to 0 the half vector has too few bits for the distribution: a lobe
+// with this alpha is a delta.
+const float kMinAlpha = 1e-4f;
+const float kMinCosine = 1e-6f; // of wo to a normal, where rounding would make it 0
+
 // Facets per area and solid angle around `normal`.
 SHARED_FN float facetDensity(const vec3 normal, const vec2 alpha) {
     const float x = normal.x / alpha.x;

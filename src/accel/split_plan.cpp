@@ -126,6 +126,8 @@ class Planner {
         const int axis = static_cast<int>(axisId);
         std::vector<double> begins;
         std::vector<double> ends;
+        begins.reserve(extents.size());
+        ends.reserve(extents.size());
         for (const Extent& extent : extents) {
             begins.push_back(extent.box.lo[axis]);
             ends.push_back(extent.box.hi[axis]);

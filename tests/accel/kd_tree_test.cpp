@@ -48,6 +48,12 @@ Scene sphereOnPlane() {
 }
 
 AccelerationOptions withUnit(const glm::dvec3 unit) { return {unit, {}, {}}; }
+AccelerationOptions withQuantum(const double quantum) {
+    AccelerationOptions options;
+    options.table = TableMethod::gcd;
+    options.quantum = quantum;
+    return options;
+}
 AccelerationOptions withDepth(const unsigned depth) { return {{}, {}, depth}; }
 
 const TreeCase kCases[] = {
@@ -69,6 +75,11 @@ const TreeCase kCases[] = {
      },
      {}},
     {"sphere_on_plane", sphereOnPlane, {}},
+    {"empty_gcd", [] { return Scene{}; }, withQuantum(0.25)},
+    {"unit_cube_gcd", unitCube, withQuantum(0.125)},
+    {"soup_gcd", soup, withQuantum(1.0 / 200.0)},
+    {"soup_gcd_coarse", soup, withQuantum(0.2)},
+    {"sphere_on_plane_gcd", sphereOnPlane, withQuantum(0.5)},
 };
 
 class Tree : public testing::TestWithParam<TreeCase> {

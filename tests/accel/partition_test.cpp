@@ -172,10 +172,10 @@ TEST(Marching, aPinwheelHasTheKnownHitsAndSteps) {
     });
     ASSERT_EQ(scene.triangles.size(), faces / 2);
     const Known flat[] = {
-        {{-1, 0.2f, 0.5f}, {1, 0, 0}, 2, 2},    // along the lower arm into the right one
-        {{-1, 0.5f, 0.5f}, {1, 0, 0}, 2, 3},    // left arm, middle, right arm
-        {{-1, 0.8f, 0.5f}, {1, 0, 0}, 2, 2},    // left arm into the upper one
-        {{0.2f, 0.9f, -3}, {0, 0, 2}, 2, 1},    // through the left arm
+        {{-1, 0.2f, 0.5f}, {1, 0, 0}, 2, 2},          // along the lower arm into the right one
+        {{-1, 0.5f, 0.5f}, {1, 0, 0}, 2, 3},          // left arm, middle, right arm
+        {{-1, 0.8f, 0.5f}, {1, 0, 0}, 2, 2},          // left arm into the upper one
+        {{0.2f, 0.9f, -3}, {0, 0, 2}, 2, 1},          // through the left arm
         {{-1, -0.9f, 0.5f}, {0.5f, 0.5f, 0}, 3.8f, 4} // aslant: lower arm, left arm, middle, upper arm
     };
     const Known solid[] = {

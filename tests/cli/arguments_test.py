@@ -151,6 +151,20 @@ CASES = [
     ("info cornell.glb --partition huge.json", 6, NO_OUTPUT, r"huge.json: a meta table of .* takes 3815 MiB, more than .*"),
     ("info cornell.glb --partition halves.json --cells 9", 2, NO_OUTPUT, r"info: --\w+ excludes --\w+ .*"),
     ("info cornell.glb --partition halves.json --merge", 2, NO_OUTPUT, r"info: --\w+ excludes --\w+ .*"),
+    # method 2
+    ("info cornell.glb --table gcd --tree-depth 4", 0, r".*\nplanes +moved by at most .*", NO_OUTPUT),
+    ("info cornell.glb --table gcd --quantum 0.0007", 6, NO_OUTPUT,
+     r"a meta table of \d+ x \d+ x \d+ cells takes \d+ MiB, .*; choose a larger --quantum or a smaller --tree-depth"),
+    ("info cornell.glb --table gcd --quantum 0.0001", 6, NO_OUTPUT,
+     r"the tree's planes ask for \d+ x \d+ x \d+ cells \(\d+ MiB\), .* at most 1023 on an axis; choose a larger --quantum .*"),
+    ("info cornell.glb --table gcd --quantum 1e-9", 2, NO_OUTPUT, r"--quantum 1e-09: finer than .* give at least 2.13\d*e-06 .*"),
+    *((f"info cornell.glb --table gcd --quantum {quantum}", 2, NO_OUTPUT, rf"--quantum {quantum}: give a length .*")
+      for quantum in ("0", "-1", "nan", "inf")),
+    ("info cornell.glb --quantum 0.1", 2, NO_OUTPUT, r"--quantum is for --table gcd"),
+    ("info cornell.glb --table gcd --unit 0.1", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
+    ("info cornell.glb --table gcd --cells 9", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
+    ("info cornell.glb --table gcd --partition halves.json", 2, NO_OUTPUT, r"--table gcd takes its cells from .*"),
+    ("info cornell.glb --table fast", 2, NO_OUTPUT, r"info: --table: fast not in \{unit,gcd\} .*"),
     ("info cornell.glb --preset fast", 2, NO_OUTPUT, r"info: --preset: fast not in \{paper\} .*"),
     *((f"info cornell.glb --scale {scale}", 2, NO_OUTPUT, r"--scale .*: give a finite number other than 0")
       for scale in ("0", "nan", "inf", "1e300", "1e-300")),

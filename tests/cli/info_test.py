@@ -37,6 +37,17 @@ class InfoTest(ProgramTest):
         report = self.info(SCENES / "cornell.glb", "--scale", "-2")
         self.assertEqual(report["bounds"], {"min": [-0.556, -1.0976, -0.5592], "max": [0.556, 0.0, 0.5592]})
 
+    def test_planes_rounded_to_quanta(self):
+        report = self.info(SCENES / "objects.glb", "--table", "gcd", "--quantum", "0.125")
+        planes = report["planes"]
+        self.assertAlmostEqual(planes["quantum"], 0.125, 4)
+        self.assertAlmostEqual(planes["movedAtMost"], 0.0625, 4)
+        for unit, quanta in zip(report["lattice"]["unit"], planes["quantaPerCell"]):
+            self.assertEqual(unit, 0.125 * quanta)
+        self.assertNotIn("planes", self.info(SCENES / "objects.glb"))
+        text = self.succeed("info", SCENES / "objects.glb", "--table", "gcd")
+        self.assertRegex(text, r"(?m)^planes +moved by at most 0\.03516, to multiples of 0\.07031; ") # 18 / 256
+
     def test_merged_leaves(self):
         whole = self.info(SCENES / "objects.glb")["table"]
         merged = self.info(SCENES / "objects.glb", "--merge")["table"]

@@ -1,40 +1,84 @@
 // The device computes the shared shading functions to the bit as the CPU does.
 #include "kernel_run.h"
 #include "kernels/bsdf.h"
+#include "kernels/math.h"
+#include "math_case.h"
 #include "random_bsdf_case.h"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
 #include <cstring>
+#include <random>
 
 namespace metamarch::vulkan {
 namespace {
 
-TEST(ShadingOnDevice, bsdfHasTheBitsOfTheCpu) {
-    const std::vector<BsdfCase> cases = randomBsdfCases(1 << 16);
-    KernelTimes times;
-    for (uint32_t f : {0u, 1u, 2u, 4u, 12u, 16u, 32u, 63u}) {
-        const auto t0 = std::chrono::steady_clock::now();
-        runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {{0, f}}, &times);
-        printf("features %u: wall %.3f first %.3f again %.1f ns per\n", f,
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count(), times.first,
-               times.again * 1e9 / 65536.0);
-    }
-    const std::vector<BsdfAnswer> answers = runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases);
-    int wrong = 0;
-    for (size_t i = 0; i < cases.size(); ++i) {
-        const BsdfAnswer a = answer(cases[i]);
-        if (std::memcmp(&a, &answers[i], sizeof a) != 0 && wrong++ < 5) {
-            printf("%zu: %.9g %.9g | %.9g %.9g | pdf %.9g %.9g | w %.9g %.9g wi %.9g %.9g flags %u %u al "
-                   "%.9g %.9g\n",
-                   i, a.value.x, answers[i].value.x, a.value.y, answers[i].value.y, a.pdf, answers[i].pdf,
-                   a.sampleWeight.x, answers[i].sampleWeight.x, a.sampleWi.x, answers[i].sampleWi.x,
-                   a.sampleFlags, answers[i].sampleFlags, a.albedo.x, answers[i].albedo.x);
+constexpr std::size_t kCases = 1u << 16;
+
+// Compares every byte with what the CPU answers.
+template <class Case, class Answer>
+void expectSameBits(const std::vector<Case>& cases, const std::vector<Answer>& answers) {
+    std::size_t different = 0;
+    std::size_t first = 0;
+    for (std::size_t i = cases.size(); i-- > 0;) {
+        const Answer expected = answer(cases[i]);
+        if (std::memcmp(&expected, &answers[i], sizeof expected) != 0) {
+            ++different;
+            first = i;
         }
     }
-    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(different, 0u) << "the first of them is case " << first;
+}
+
+TEST(ShadingOnDevice, mathAndSamplesHaveTheBitsOfTheCpu) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<float> even(-1.0f, 1.0f);
+    std::uniform_int_distribution<uint> whole(0, 100'000);
+    std::normal_distribution<float> normal;
+    std::vector<MathCase> cases(kCases);
+    for (MathCase& asked : cases) {
+        asked.direction = unitVector(vec3(normal(random), normal(random), normal(random)));
+        asked.x = even(random);
+        asked.pixelX = whole(random);
+        asked.pixelY = whole(random);
+        asked.index = whole(random);
+        asked.dimension = whole(random);
+    }
+    expectSameBits(cases, runKernel<MathAnswer>(mathSpirv, "math", cases));
+}
+
+TEST(ShadingOnDevice, bsdfHasTheBitsOfTheCpu) {
+    const std::vector<BsdfCase> cases = randomBsdfCases(kCases);
+    KernelTimes times;
+    expectSameBits(cases, runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {}, &times));
+    RecordProperty("firstRunMilliseconds", static_cast<int>(times.first * 1e3));
+    RecordProperty("nanosecondsPerCase", static_cast<int>(times.again * 1e9 / kCases));
+}
+
+// A kernel without a feature computes what the CPU, which has all, computes where the material does not use
+// it.
+TEST(ShadingOnDevice, bsdfWithoutUnusedFeaturesHasTheSameBits) {
+    constexpr uint32_t kFeatures = 0; // constant_id
+    const std::vector<BsdfCase> all = randomBsdfCases(kCases / 4);
+    for (uint32_t features = 0; features < kAllFeatures; ++features) {
+        if ((features & (features - 1)) != 0 && features != (kFeatureTransmission | kFeatureVolume)) {
+            continue; // none, one, or refraction
+        }
+        std::vector<BsdfCase> cases = all;
+        for (BsdfCase& asked : cases) {
+            SurfaceMaterial& material = asked.material;
+            const auto uses = [&](uint32_t feature) { return (features & feature) != 0; };
+            material.coat = uses(kFeatureCoat) ? material.coat : 0.0f;
+            material.sheenColor = uses(kFeatureSheen) ? material.sheenColor : vec3(0.0f);
+            material.transmission = uses(kFeatureTransmission) ? material.transmission : 0.0f;
+            material.flags &= uses(kFeatureVolume) ? ~0u : ~kSurfaceVolume;
+            material.iridescence = uses(kFeatureIridescence) ? material.iridescence : 0.0f;
+            material.diffuseTransmission =
+                uses(kFeatureDiffuseTransmission) ? material.diffuseTransmission : 0.0f;
+        }
+        SCOPED_TRACE(features);
+        expectSameBits(cases, runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {{kFeatures, features}}));
+    }
 }
 
 } // namespace

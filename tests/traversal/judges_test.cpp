@@ -68,6 +68,13 @@ Scene scaled(const float factor) {
 
 AccelerationOptions withUnit(const double unit) { return {glm::dvec3(unit), {}, {}}; }
 
+AccelerationOptions withQuantum(const double quantum) {
+    AccelerationOptions options;
+    options.table = TableMethod::gcd;
+    options.quantum = quantum;
+    return options;
+}
+
 const NamedScene kScenes[] = {
     {"empty", emptyScene, {}},
     {"one_triangle", oneTriangle, {}},
@@ -83,6 +90,7 @@ const NamedScene kScenes[] = {
     {"soup_finest",
      [] { return triangleSoup(300, 5); },
      {glm::dvec3(1.0 / 650.0, 0.05, 1.0 / 650.0), {}, {}}},
+    {"soup_gcd", [] { return triangleSoup(2000, 1); }, withQuantum(1.0 / 256.0)},
     {"soup_tiny", [] { return scaled(1e-8f); }, {}},
     {"soup_huge", [] { return scaled(1e8f); }, {}},
     {"sphere_in_stadium", sphereInStadium, {}},

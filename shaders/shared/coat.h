@@ -1,0 +1,61 @@
+// The clear coat of KHR_materials_clearcoat: isotropic facets of ior 1.5 with a normal of their own.
+#ifndef METAMARCH_SHARED_COAT_H
+#define METAMARCH_SHARED_COAT_H
+#include "shared/albedo.h"
+#include "shared/fresnel.h"
+#include "shared/microfacet.h"
+
+SHARED_BEGIN
+
+const float kCoatF0 = 0.04f; // of ior 1.5
+
+struct Coat {
+    vec3 wo; // around the coat's normal
+    float strength;
+    Basis around;
+    vec3 normal;
+    float alpha;
+    bool isSmooth; // a delta
+    bool isSingleScatter;
+    float albedo; // towards wo
+};
+
+struct CoatLobe {
+    float value; // BSDF times |cosine|
+    float density;
+};
+
+// `alpha` at least kMinAlpha, at which the coat is smooth. The Khronos text takes Fresnel's term at wo; so
+// does the coat where `isSingleScatter`, else it is the facets'.
+SHARED_FN Coat makeCoat(const vec3 normal, const float strength, const float alpha,
+                        const bool isSingleScatter, const vec3 wo) {
+    const Basis around = basisAround(normal);
+    const vec3 local = vec3(dotProduct(wo, around.tangent), dotProduct(wo, around.bitangent),
+                            max(dotProduct(wo, normal), kMinCosine));
+    const bool isSmooth = alpha <= kMinAlpha;
+    const FacetAlbedo facets = facetAlbedo(local.z, alpha);
+    const float rough = kCoatF0 * (facets.whole - facets.grazing) + facets.grazing;
+    const float mirror = blend(kCoatF0, 1.0f, schlickWeight(local.z));
+    const float albedo = strength * (isSingleScatter || isSmooth ? mirror : rough);
+    return Coat(local, strength, around, normal, alpha, isSmooth, isSingleScatter, albedo);
+}
+
+// Towards wi, in world space; with `isMirror` the delta's, whose density counts as 1.
+SHARED_FN CoatLobe coatLobe(const Coat coat, const vec3 wi, const bool isMirror) {
+    const float cosIn = dotProduct(wi, coat.normal);
+    const vec3 incoming =
+        vec3(dotProduct(wi, coat.around.tangent), dotProduct(wi, coat.around.bitangent), abs(cosIn));
+    const vec3 facet = unitVector(coat.wo + incoming);
+    const vec2 alpha = vec2(coat.alpha, coat.alpha);
+    const float lengthOut = facetLength(coat.wo, alpha);
+    const float density = mirrorDensity(facet, coat.wo.z, lengthOut, alpha);
+    const float passage = facetPassage(coat.wo.z, lengthOut, incoming.z, facetLength(incoming, alpha), false);
+    const float cosine = coat.isSingleScatter ? coat.wo.z : dotProduct(coat.wo, facet);
+    const float fresnel = coat.strength * blend(kCoatF0, 1.0f, schlickWeight(cosine));
+    const bool isRough = !isMirror && !coat.isSmooth && cosIn > 0.0f;
+    const float value = isMirror ? fresnel : isRough ? fresnel * density * passage : 0.0f;
+    return CoatLobe(value, isMirror ? 1.0f : isRough ? density : 0.0f);
+}
+
+SHARED_END
+#endif

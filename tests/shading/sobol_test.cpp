@@ -1,0 +1,214 @@
+// The sampler: every prefix stratified, every dimension and pixel by itself, better than random numbers.
+#include "shared/sobol.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace metamarch {
+namespace {
+
+constexpr uint kSeed = 3;
+
+std::vector<vec2> points(uint x, uint y, uint dimension, uint count, uint first = 0, uint seed = kSeed) {
+    std::vector<vec2> all(count);
+    for (uint i = 0; i < count; ++i) {
+        all[i] = sample2d(makePixelSample(x, y, first + i, seed), dimension);
+    }
+    return all;
+}
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    double ab = 0.0;
+    double aa = 0.0;
+    double bb = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ab += (a[i] - 0.5) * (b[i] - 0.5);
+        aa += (a[i] - 0.5) * (a[i] - 0.5);
+        bb += (b[i] - 0.5) * (b[i] - 0.5);
+    }
+    return ab / std::sqrt(aa * bb);
+}
+
+// Sobol's own construction: x_i is the sum of the direction numbers of the bits of i; those of the second
+// dimension follow from the primitive polynomial x + 1.
+uint sobolSecondByDirectionNumbers(uint index) {
+    uint direction = 0x80000000u;
+    uint value = 0;
+    for (uint bit = 0; bit < 32; ++bit) {
+        value ^= (index >> bit) & 1u ? direction : 0u;
+        direction ^= direction >> 1u;
+    }
+    return value;
+}
+
+TEST(Sobol, secondDimensionHasItsDirectionNumbers) {
+    for (uint index = 0; index < 5000; ++index) {
+        ASSERT_EQ(sobolSecond(bitfieldReverse(index)), sobolSecondByDirectionNumbers(index)) << index;
+    }
+}
+
+TEST(Sobol, everyElementaryIntervalHoldsOnePoint) {
+    for (uint k = 1; k <= 10; ++k) {
+        const uint count = 1u << k;
+        // The first samples and a later, aligned range, as a resumed render draws it.
+        for (const uint first : {0u, 5u * count}) {
+            const std::vector<vec2> all = points(17, 4, kDimensionLens, count, first);
+            for (uint columnBits = 0; columnBits <= k; ++columnBits) {
+                const auto columns = static_cast<float>(1u << columnBits);
+                const auto rows = static_cast<float>(1u << (k - columnBits));
+                std::set<std::pair<int, int>> cells;
+                for (const vec2& point : all) {
+                    cells.insert({static_cast<int>(point.x * columns), static_cast<int>(point.y * rows)});
+                }
+                ASSERT_EQ(cells.size(), count) << columnBits << " of " << k;
+            }
+        }
+    }
+}
+
+TEST(Sobol, oneNumberIsStratifiedToo) {
+    constexpr uint kCount = 256;
+    for (const uint triangle : {0u, 1u, 77u}) {
+        std::set<int> cells;
+        for (uint i = 0; i < kCount; ++i) {
+            cells.insert(static_cast<int>(sampleOf(makePixelSample(1, 2, i, kSeed), 14, triangle) * kCount));
+        }
+        EXPECT_EQ(cells.size(), kCount);
+    }
+}
+
+TEST(Sobol, numbersLieBelowOne) {
+    EXPECT_LT(unitInterval(0xffffffffu), 1.0f);
+    EXPECT_EQ(unitInterval(0u), 0.0f);
+}
+
+TEST(Sobol, dimensionsAndPixelsDoNotCorrelate) {
+    // The mean of one coordinate pair's product over many pixels, at sample counts where a bad scramble
+    // repeats its pattern. The bound is six standard deviations.
+    constexpr uint kPixels = 4096;
+    for (const uint index : {0u, 1u, 2u, 63u}) {
+        std::vector<double> here(kPixels);
+        std::vector<double> sameSet(kPixels);
+        std::vector<double> otherDimension(kPixels);
+        std::vector<double> nextPixel(kPixels);
+        std::vector<double> nextSample(kPixels);
+        std::vector<double> otherThing(kPixels);
+        for (uint p = 0; p < kPixels; ++p) {
+            const uint x = p % 64;
+            const uint y = p / 64;
+            const PixelSample at = makePixelSample(x, y, index, kSeed);
+            const vec2 point = sample2d(at, 11);
+            here[p] = point.x;
+            sameSet[p] = point.y;
+            otherDimension[p] = sample2d(at, 12).x;
+            nextPixel[p] = sample2d(makePixelSample(x + 1, y, index, kSeed), 11).x;
+            nextSample[p] = sample2d(makePixelSample(x, y, index + 4, kSeed), 11).x;
+            otherThing[p] = sampleOf(at, 11, 1);
+        }
+        const double bound = 6.0 / std::sqrt(kPixels);
+        for (const auto* other : {&sameSet, &otherDimension, &nextPixel, &nextSample, &otherThing}) {
+            EXPECT_LT(std::abs(correlation(here, *other)), bound) << index;
+        }
+    }
+}
+
+TEST(Sobol, dimensionsDoNotCorrelateWithinAPixel) {
+    constexpr uint kCount = 1024;
+    std::vector<std::vector<double>> columns;
+    for (uint dimension = 0; dimension < 24; ++dimension) {
+        std::vector<double> x;
+        std::vector<double> y;
+        for (const vec2& point : points(9, 9, dimension, kCount)) {
+            x.push_back(point.x);
+            y.push_back(point.y);
+        }
+        columns.push_back(x);
+        columns.push_back(y);
+    }
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            EXPECT_LT(std::abs(correlation(columns[a], columns[b])), 6.0 / std::sqrt(kCount))
+                << a << ' ' << b;
+        }
+    }
+}
+
+TEST(Sobol, numbersAreUniformOverPixels) {
+    // Chi-square over 64 cells of the first samples of 2^16 pixels: 63 degrees of freedom; 120 has a
+    // probability of 2e-5.
+    std::vector<int> cells(64);
+    for (uint y = 0; y < 256; ++y) {
+        for (uint x = 0; x < 256; ++x) {
+            const vec2 point = sample2d(makePixelSample(x, y, 0, kSeed), kDimensionFilter);
+            ++cells[static_cast<std::size_t>(point.x * 8.0f) * 8 + static_cast<std::size_t>(point.y * 8.0f)];
+        }
+    }
+    double chiSquare = 0.0;
+    for (const int count : cells) {
+        chiSquare += (count - 1024.0) * (count - 1024.0) / 1024.0;
+    }
+    EXPECT_LT(chiSquare, 120.0);
+}
+
+// Root mean square error, over pixels, of the integral of a disc's indicator and of a smooth function.
+struct Errors {
+    double disc = 0.0;
+    double smooth = 0.0;
+};
+
+template <class Draw>
+Errors errorsOf(uint samples, Draw draw) {
+    constexpr uint kPixels = 256;
+    Errors errors;
+    for (uint pixel = 0; pixel < kPixels; ++pixel) {
+        double disc = 0.0;
+        double smooth = 0.0;
+        for (uint i = 0; i < samples; ++i) {
+            const vec2 point = draw(pixel, i);
+            disc += point.x * point.x + point.y * point.y < 1.0f ? 1.0 : 0.0;
+            smooth += std::exp(point.x) * point.y;
+        }
+        errors.disc += std::pow(disc / samples - M_PI / 4.0, 2.0) / kPixels;
+        errors.smooth += std::pow(smooth / samples - (M_E - 1.0) / 2.0, 2.0) / kPixels;
+    }
+    return {std::sqrt(errors.disc), std::sqrt(errors.smooth)};
+}
+
+TEST(Sobol, integratesBetterThanRandomNumbers) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> even;
+    for (const uint samples : {64u, 256u}) {
+        const Errors sobol = errorsOf(
+            samples, [](uint pixel, uint i) { return sample2d(makePixelSample(pixel, 0, i, kSeed), 19); });
+        const Errors independent =
+            errorsOf(samples, [&](uint, uint) { return vec2(even(random), even(random)); });
+        EXPECT_LT(sobol.disc, independent.disc / 2.5) << samples;
+        EXPECT_LT(sobol.smooth, independent.smooth / 15.0) << samples;
+    }
+}
+
+TEST(Sobol, seedChangesEveryNumber) {
+    const std::vector<vec2> one = points(3, 5, 8, 256, 0, 1);
+    const std::vector<vec2> other = points(3, 5, 8, 256, 0, 2);
+    int same = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        same += one[i].x == other[i].x || one[i].y == other[i].y ? 1 : 0;
+    }
+    EXPECT_EQ(same, 0);
+}
+
+TEST(Sobol, everyDecisionOfAPathHasItsOwnDimension) {
+    std::set<uint> dimensions = {kDimensionFilter, kDimensionLens, kDimensionTime};
+    for (uint bounce = 0; bounce < 20; ++bounce) {
+        for (uint decision = 0; decision < kDimensionsPerBounce; ++decision) {
+            EXPECT_TRUE(dimensions.insert(bounceDimension(bounce, decision)).second);
+        }
+    }
+}
+
+} // namespace
+} // namespace metamarch
