@@ -1,0 +1,79 @@
+#include "scene/alias_table.h"
+
+#include "shared/math.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace metamarch {
+namespace {
+
+// What a texel's area sees of itself and of each neighbour along one axis: the integral of the tent.
+constexpr float kOwnPart = 0.75f;
+constexpr float kNeighbourPart = 0.125f;
+
+float rowLuminance(const Environment& environment, std::uint32_t x, std::uint32_t y) {
+    const std::uint32_t left = x == 0 ? environment.width - 1 : x - 1;
+    const std::uint32_t right = x + 1 == environment.width ? 0 : x + 1;
+    const auto at = [&](std::uint32_t column) {
+        return luminance(environment.texels[std::size_t{y} * environment.width + column]);
+    };
+    return kOwnPart * at(x) + kNeighbourPart * (at(left) + at(right));
+}
+
+} // namespace
+
+// M. D. Vose, "A Linear Algorithm for Generating Random Numbers with a Given Distribution", 1991.
+std::vector<AliasEntry> makeAliasTable(std::span<const float> weights) {
+    const std::size_t count = weights.size();
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<AliasEntry> table(count);
+    std::vector<double> share(count); // in slots
+    std::vector<std::uint32_t> small;
+    std::vector<std::uint32_t> large;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double probability = sum > 0.0 ? weights[i] / sum : 1.0 / static_cast<double>(count);
+        share[i] = probability * static_cast<double>(count);
+        table[i] = {1.0f, static_cast<std::uint32_t>(i), static_cast<float>(probability)};
+        (share[i] < 1.0 ? small : large).push_back(static_cast<std::uint32_t>(i));
+    }
+    while (!small.empty() && !large.empty()) {
+        const std::uint32_t poor = small.back();
+        const std::uint32_t rich = large.back();
+        small.pop_back();
+        table[poor].keep = static_cast<float>(share[poor]);
+        table[poor].other = rich;
+        share[rich] -= 1.0 - share[poor];
+        if (share[rich] < 1.0) {
+            large.pop_back();
+            small.push_back(rich);
+        }
+    }
+    return table; // what rounding left over keeps its own
+}
+
+EnvironmentTables makeEnvironmentTables(const Environment& environment) {
+    EnvironmentTables tables;
+    std::vector<float> rowWeights(environment.height);
+    std::vector<float> weights(environment.width);
+    for (std::uint32_t y = 0; y < environment.height; ++y) {
+        const std::uint32_t above = y == 0 ? 0 : y - 1;
+        const std::uint32_t below = y + 1 == environment.height ? y : y + 1;
+        const double top = M_PI * y / environment.height;
+        const double solidAngle = std::cos(top) - std::cos(top + M_PI / environment.height);
+        double sum = 0.0;
+        for (std::uint32_t x = 0; x < environment.width; ++x) {
+            weights[x] =
+                kOwnPart * rowLuminance(environment, x, y) +
+                kNeighbourPart * (rowLuminance(environment, x, above) + rowLuminance(environment, x, below));
+            sum += weights[x];
+        }
+        rowWeights[y] = static_cast<float>(sum * solidAngle);
+        const std::vector<AliasEntry> row = makeAliasTable(weights);
+        tables.columns.insert(tables.columns.end(), row.begin(), row.end());
+    }
+    tables.rows = makeAliasTable(rowWeights);
+    return tables;
+}
+
+} // namespace metamarch

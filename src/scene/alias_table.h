@@ -1,0 +1,23 @@
+// Tables from which light.h and environment_map.h draw by weight.
+#pragma once
+#include "scene/environment.h"
+#include "shared/light.h"
+
+#include <span>
+#include <vector>
+
+namespace metamarch {
+
+// One entry per weight; weights are finite and at least 0. All are drawn alike where every weight is 0. Empty
+// for no weights.
+std::vector<AliasEntry> makeAliasTable(std::span<const float> weights);
+
+struct EnvironmentTables {
+    std::vector<AliasEntry> rows;    // [height]
+    std::vector<AliasEntry> columns; // [height][width]
+};
+
+// Draws a texel by the luminance that the bilinearly filtered map has over its area, times its solid angle.
+EnvironmentTables makeEnvironmentTables(const Environment& environment);
+
+} // namespace metamarch
