@@ -13,9 +13,9 @@ namespace metamarch {
 
 enum class AlphaMode { opaque, mask, blend };
 
-// Every factor is finite and in glTF's range, colours are linear. A texture multiplies its factor, with the
-// channels in brackets; textures whose use is a colour are the isSrgb ones. Occlusion is not here: a path
-// tracer finds its own.
+// Every factor is finite (but for attenuationDistance) and in glTF's range, colours are linear. A texture
+// multiplies its factor, with the channels in brackets; textures whose use is a colour are the isSrgb ones.
+// Occlusion is not here: a path tracer finds its own.
 struct Material {
     std::string name;
 

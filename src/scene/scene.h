@@ -43,7 +43,7 @@ struct PunctualLight {
     float intensity = 1.0f;                 // candela, of directional lux; at least 0
     glm::vec3 position{0.0f};               // of point and spot
     glm::vec3 direction{0.0f, 0.0f, -1.0f}; // where the light goes, unit length; of directional and spot
-    // Radians from `direction`, 0 <= inner < outer <= pi / 2: full intensity inside, none outside.
+    // Radians from `direction`, 0 <= inner <= outer <= pi / 2: full intensity inside, none outside.
     float innerConeAngle = 0.0f;
     float outerConeAngle = 0.785398163f; // pi / 4
 };
@@ -57,8 +57,8 @@ struct Scene {
     std::vector<glm::vec2> texCoords;  // zero where the file gives none
     std::vector<glm::vec2> texCoords1; // optional, as texCoords
     std::vector<glm::vec4> colors; // optional, linear, multiplies the base colour; one where there is none
-    // Optional, xyz unit length in world space and orthogonal to the normal only as far as the file cares;
-    // the bitangent is w * cross(normal, xyz) with w = 1 or -1. Zero where there is none.
+    // Optional. xyz: unit length, world space, at a right angle to the normal only if the file says so; the
+    // bitangent, up in a normal map, is w * cross(normal, xyz), w = 1 or -1. Zero where there is none.
     std::vector<glm::vec4> tangents;
 
     std::vector<glm::uvec3> triangles;           // vertex indices, counter-clockwise seen from the front

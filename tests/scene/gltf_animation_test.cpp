@@ -61,13 +61,13 @@ TEST(GltfAnimation, StepHoldsTheKeyBefore) {
 // Each key: tangent of arrival, value, tangent of departure. At t = 1/2 of an interval of d seconds:
 // (v0 + v1) / 2 + d (b0 - a1) / 8.
 TEST(GltfAnimation, CubicSplineIsHermites) {
-    AnimatedFile file("translation", "CUBICSPLINE", "VEC3", 3, {9, 9, 9, 0, 0, 0, 8,  0,  0, //
-                                                                0, 4, 0, 2, 2, 2, 0,  0,  4, //
-                                                                0, 0, 0, 4, 2, 2, 99, 99, 99});
+    AnimatedFile file("translation", "CUBICSPLINE", "VEC3", 3, {9, 9,  9, 0, 0, 0, 8,  0,  0, //
+                                                                0, 4,  0, 2, 2, 2, 0,  0,  4, //
+                                                                0, -4, 0, 4, 2, 2, 99, 99, 99});
     expectNear(file.at(1)[0], {0, 0, 0});
     expectNear(file.at(1.5)[0], {1 + 1, 1 - 0.5f, 1});
     expectNear(file.at(2)[0], {2, 2, 2});
-    expectNear(file.at(3)[0], {3, 2, 2 + 1});
+    expectNear(file.at(3)[0], {3, 2 + 1, 2 + 1});
     expectNear(file.at(5)[0], {4, 2, 2});
 }
 
