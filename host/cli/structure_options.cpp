@@ -34,8 +34,10 @@ void StructureOptions::addTo(CLI::App& command) {
         .add_option(
             "--table", table,
             "How the table comes to its cells. unit: from --unit or --cells, and the tree after it; gcd: "
-            "from the planes of a finished tree, by their greatest common divisors (default unit)")
-        ->check(CLI::IsMember({"unit", "gcd"}))
+            "from the planes of a finished tree, by their greatest common divisors; rectilinear: uneven "
+            "cells "
+            "between the planes of a finished tree, as they are (default unit)")
+        ->check(CLI::IsMember({"unit", "gcd", "rectilinear"}))
         ->group(group);
     command
         .add_option(
@@ -69,7 +71,9 @@ void StructureOptions::addTo(CLI::App& command) {
 
 TableMethod StructureOptions::parseTable() const {
     const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
-    const TableMethod method = table == "gcd" ? TableMethod::gcd : TableMethod::unit;
+    const TableMethod method = table == "gcd"           ? TableMethod::gcd
+                               : table == "rectilinear" ? TableMethod::rectilinear
+                                                        : TableMethod::unit;
     if (method == TableMethod::gcd && (!unit.empty() || cells || !partitionPath.empty())) {
         refuse(
             "--table gcd takes its cells from the tree's planes: --unit, --cells and --partition exclude it");

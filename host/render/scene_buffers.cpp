@@ -70,6 +70,23 @@ constexpr StructurePart kGridCells = {"grid cells", kBindGridCells, kTwoWords, [
                                           return bytesOf(set.uniformGrid().cells);
                                       }};
 
+constexpr StructurePart kRectilinear = {
+    "rectilinear lattice", kBindRectilinear, vk::Format::eUndefined, [](const StructureSet& set) {
+        return std::as_bytes(std::span(&set.rectilinearTable().planes.layout(), 1));
+    }};
+constexpr StructurePart kPlanes = {"planes", kBindPlanes, kOneWord, [](const StructureSet& set) {
+                                       return bytesOf(set.rectilinearTable().planes.planes());
+                                   }};
+constexpr StructurePart kBuckets = {"plane look-ups", kBindBuckets, kOneWord, [](const StructureSet& set) {
+                                        return bytesOf(set.rectilinearTable().planes.buckets());
+                                    }};
+constexpr StructurePart kRectilinearExitBoxes = {
+    "rectilinear exit boxes", kBindLeaves, kFourWords,
+    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.leaves); }};
+constexpr StructurePart kRectilinearTable = {
+    "rectilinear table", kBindTable, kOneWord,
+    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.leafOfCell); }};
+
 using Triangles = std::span<const TriangleRecord>;
 
 Triangles inTreeLeaves(const StructureSet& set) { return set.kdTree().triangles; }
@@ -86,6 +103,9 @@ struct Structure {
 const Structure& findStructure(const std::string_view name) {
     static const Structure kStructures[] = {
         {"meta_table", inTableLeaves, {&kExitBoxes, &kTable}},
+        {"rectilinear_table",
+         [](const StructureSet& set) -> Triangles { return set.rectilinearTable().table.triangles; },
+         {&kRectilinear, &kPlanes, &kBuckets, &kRectilinearExitBoxes, &kRectilinearTable}},
         {"kd_tree", inTreeLeaves, {&kTreeLeaves, &kKdNodes}},
         {"kd_parents", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdParents}},
         {"kd_ropes", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdRopes}},

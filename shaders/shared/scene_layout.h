@@ -25,8 +25,11 @@ const uint kBindKdRopes = 18u;
 const uint kBindBvhNodes = 19u;
 const uint kBindGrid = 20u; // uniform
 const uint kBindGridCells = 21u;
-const uint kBindKnownSlots = 22u; // kernel floor: the record that each ray hits
-const uint kBindBoxes = 23u;      // ray_query: the driver's hierarchy over the records' boxes
+const uint kBindKnownSlots = 22u;  // kernel floor: the record that each ray hits
+const uint kBindBoxes = 23u;       // ray_query: the driver's hierarchy over the records' boxes
+const uint kBindRectilinear = 24u; // uniform
+const uint kBindPlanes = 25u;
+const uint kBindBuckets = 26u;
 
 // The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it
 // is cut into up to this many buffers of equal size.

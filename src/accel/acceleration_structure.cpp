@@ -23,9 +23,9 @@ double lap(std::chrono::steady_clock::time_point& start) {
 }
 
 MetaTable buildTable(const Lattice& lattice, const LeafList& list, const AccelerationOptions& options) {
-    MetaTable table = buildMetaTable(lattice, list.leaves);
+    MetaTable table = buildMetaTable(lattice.resolution, list.leaves);
     if (options.exitBoxes) {
-        growExitBoxes(lattice, list, table);
+        growExitBoxes(lattice.resolution, list, table);
     }
     return table;
 }
@@ -107,6 +107,7 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
     }
 
     AccelerationStructure result;
+    result.options = options;
     result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
     auto clock = std::chrono::steady_clock::now();
     std::vector<LatticeTriangle> corners = layTree(scene, ids, options, depth, result);

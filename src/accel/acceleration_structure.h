@@ -13,6 +13,7 @@
 namespace metamarch {
 
 struct AccelerationStructure {
+    AccelerationOptions options; // it was built by
     Lattice lattice;
     glm::dvec3 unit;                       // LatticeChoice::unit
     std::optional<PlaneRounding> rounding; // of method 2

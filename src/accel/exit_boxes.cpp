@@ -18,8 +18,8 @@ constexpr unsigned kFaces = 6;
 
 class Growth {
   public:
-    Growth(const Lattice& lattice, const LeafList& usedList, std::span<const std::uint32_t> table)
-        : resolution(lattice.resolution), list(usedList), leafOfCell(table) {}
+    Growth(const uvec3 latticeResolution, const LeafList& usedList, std::span<const std::uint32_t> table)
+        : resolution(latticeResolution), list(usedList), leafOfCell(table) {}
 
     // Moves the faces out in turn, each as far as the leaves behind it allow. A face that is held stays so:
     // the larger the box, the more leaves lie behind it.
@@ -82,8 +82,8 @@ class Growth {
 
 } // namespace
 
-void growExitBoxes(const Lattice& lattice, const LeafList& list, MetaTable& table) {
-    const Growth growth(lattice, list, table.leafOfCell);
+void growExitBoxes(const uvec3 resolution, const LeafList& list, MetaTable& table) {
+    const Growth growth(resolution, list, table.leafOfCell);
     tbb::parallel_for(std::size_t{0}, list.leaves.size(), [&](const std::size_t leafId) {
         const CellBox box = growth.grow(list.leaves[leafId]);
         table.leaves[leafId].lo = packCell(uvec3(box.lo));

@@ -21,7 +21,6 @@ constexpr double kUnitRounding = 0x1p-22;
 // Chosen by measurement: README.md in this folder.
 constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
-constexpr double kMaxCells = 0x1p24;
 
 // Method 2's quantum where none is asked for, as a fraction of the longest side: 2^24 cells at most, whatever
 // the divisors are.
@@ -128,7 +127,8 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     } else if (options.unit) {
         choice.unit = *options.unit;
     } else {
-        const double automatic = std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMaxCells);
+        const double automatic =
+            std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMostAutomaticCells);
         const double cells = options.cells ? static_cast<double>(*options.cells) : automatic;
         if (cells * sizeof(std::uint32_t) > static_cast<double>(kTableBudget)) {
             throw Error(

@@ -16,6 +16,9 @@ inline constexpr double kBoxPadding = 2.0 * kReferenceMargin;
 // Bytes that the table may take, 4 per cell.
 inline constexpr std::uint64_t kTableBudget = std::uint64_t{1} << 30;
 
+// Cells that a table has at most where none are asked for.
+inline constexpr double kMostAutomaticCells = 0x1p24;
+
 struct LatticeChoice {
     Lattice lattice;
     glm::dvec3 unit; // the unit lengths asked for or chosen; the cells are up to about 1e-5 larger where

@@ -21,7 +21,8 @@ class Merging {
   public:
     Merging(const Lattice& lattice, const LeafList& list)
         : resolution(lattice.resolution), cellSize(1.0 / glm::dvec3(lattice.cellsPerUnit)),
-          leafOfCell(buildMetaTable(lattice, list.leaves).leafOfCell), mergedInto(list.leaves.size()) {
+          leafOfCell(buildMetaTable(lattice.resolution, list.leaves).leafOfCell),
+          mergedInto(list.leaves.size()) {
         std::iota(mergedInto.begin(), mergedInto.end(), 0u);
         for (const Leaf& leaf : list.leaves) {
             const auto triangleIds = list.trianglesOf(leaf);

@@ -14,7 +14,7 @@ struct MetaTable {
     std::vector<TriangleRecord> triangles; // in the order of its leaves, where these are not the kd-tree's
 };
 
-// The table over leaves that tile the lattice. Their boxes are their exit boxes.
-MetaTable buildMetaTable(const Lattice& lattice, std::span<const Leaf> leaves);
+// The table over leaves that tile a lattice of `resolution` cells. Their boxes are their exit boxes.
+MetaTable buildMetaTable(uvec3 resolution, std::span<const Leaf> leaves);
 
 } // namespace metamarch

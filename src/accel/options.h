@@ -9,8 +9,9 @@ namespace metamarch {
 
 // How the table comes to its cells.
 enum class TableMethod {
-    unit, // the paper's method 1: the unit length first, split planes at its multiples
-    gcd,  // its method 2: the planes first, then the greatest common divisor of them
+    unit,        // the paper's method 1: the unit length first, split planes at its multiples
+    gcd,         // its method 2: the planes first, then the greatest common divisor of them
+    rectilinear, // the planes as they are: a lattice of uneven cells, beside the tree of method 1
 };
 
 struct AccelerationOptions {

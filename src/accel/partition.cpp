@@ -83,7 +83,7 @@ LeafList listTriangles(const Lattice& lattice, const std::span<const CellBox> bo
     for (const CellBox& box : boxes) {
         list.leaves.push_back({packCell(uvec3(box.lo)), packCell(uvec3(box.hi)), 0, 0});
     }
-    const MetaTable table = buildMetaTable(lattice, list.leaves);
+    const MetaTable table = buildMetaTable(lattice.resolution, list.leaves);
     const glm::dvec3 margin = referenceMargin(lattice);
     std::vector<std::vector<std::uint32_t>> leavesOf(corners.size());
     tbb::parallel_for(std::size_t{0}, corners.size(), [&](const std::size_t i) {

@@ -1,5 +1,5 @@
-// The splits of a kd-tree whose planes lie where the triangles want them, on no lattice: what method 2
-// starts from.
+// The splits of a kd-tree whose planes lie where the triangles want them, on no lattice: what method 2 and
+// the rectilinear table start from.
 #pragma once
 #include "accel/triangle_clip.h"
 #include "shared/scene_layout.h"

@@ -59,6 +59,18 @@ const UniformGrid& StructureSet::uniformGrid() const {
     return lazyGrid.value;
 }
 
+const RectilinearTable& StructureSet::rectilinearTable() const {
+    tbb::collaborative_call_once(lazyRectilinear.once, [&] {
+        const AccelerationOptions& options = accelerationStructure.options;
+        const bool isWanted = options.table == TableMethod::rectilinear && options.treeDepth;
+        const unsigned limit =
+            options.treeDepth.value_or(defaultTreeDepth(accelerationStructure.lattice.triangleCount));
+        lazyRectilinear.value = buildRectilinearTable(accelerationStructure.lattice, triangles(),
+                                                      {limit, isWanted}, options.exitBoxes);
+    });
+    return *lazyRectilinear.value;
+}
+
 const std::vector<TriangleRecord>& StructureSet::triangles() const {
     tbb::collaborative_call_once(
         lazyTriangles.once, [&] { lazyTriangles.value = uniqueTriangles(accelerationStructure.triangles); });

@@ -2,11 +2,13 @@
 #pragma once
 #include "accel/acceleration_structure.h"
 #include "accel/bvh.h"
+#include "accel/rectilinear_table.h"
 #include "accel/uniform_grid.h"
 #include "shared/kd_parent.h"
 
 #include <tbb/collaborative_call_once.h>
 
+#include <optional>
 #include <vector>
 
 namespace metamarch {
@@ -22,6 +24,7 @@ class StructureSet {
     const std::vector<std::uint32_t>& kdRopes() const;
     const Bvh& bvh() const;
     const UniformGrid& uniformGrid() const;
+    const RectilinearTable& rectilinearTable() const;     // throws what buildRectilinearTable throws
     const std::vector<TriangleRecord>& triangles() const; // each once, ascending ids
     // Each once, in the order of the kd-tree's leaves: what lies together in space does so here.
     const std::vector<TriangleRecord>& spatialTriangles() const;
@@ -38,6 +41,7 @@ class StructureSet {
     mutable Lazy<std::vector<std::uint32_t>> lazyRopes;
     mutable Lazy<Bvh> lazyBvh;
     mutable Lazy<UniformGrid> lazyGrid;
+    mutable Lazy<std::optional<RectilinearTable>> lazyRectilinear;
     mutable Lazy<std::vector<TriangleRecord>> lazyTriangles;
     mutable Lazy<std::vector<TriangleRecord>> lazySpatialTriangles;
 };

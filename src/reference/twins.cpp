@@ -13,6 +13,10 @@ template <Invariants invariants>
 constexpr Twin kTwins[] = {
     {"meta_table", [](const Set& scene, const Ray& ray,
                       HitQuery query) { return traceMetaTable<invariants>(scene.kdTree(), ray, query); }},
+    {"rectilinear_table",
+     [](const Set& scene, const Ray& ray, HitQuery query) {
+         return traceRectilinearTable<invariants>(scene.rectilinearTable(), ray, query);
+     }},
     {"kd_stack", [](const Set& scene, const Ray& ray,
                     HitQuery query) { return traceKdStack(scene.kdTree(), ray, query); }},
     {"kd_restart", [](const Set& scene, const Ray& ray,

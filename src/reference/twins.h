@@ -37,6 +37,8 @@ TraceResult traceKdRopes(const AccelerationStructure& scene, std::span<const std
 template <Invariants invariants = Invariants::checked>
 TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, HitQuery query);
 template <Invariants invariants = Invariants::checked>
+TraceResult traceRectilinearTable(const RectilinearTable& scene, const Ray& ray, HitQuery query);
+template <Invariants invariants = Invariants::checked>
 TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, HitQuery query);
 
 } // namespace metamarch

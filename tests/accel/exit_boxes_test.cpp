@@ -124,15 +124,13 @@ Leaf leafOver(const uvec3 lo, const uvec3 hi, const std::uint32_t first, const s
 
 // Five leaves in a row: {7}, none, {7, 9}, {9}, none.
 TEST(ExitBoxRow, endsAtTheFirstTriangleThatIsNotItsOwn) {
-    Lattice lattice{};
-    lattice.resolution = uvec3(10, 1, 1);
-    lattice.cellCount = 10;
+    const uvec3 resolution(10, 1, 1);
     const LeafList list{{leafOver({0, 0, 0}, {2, 1, 1}, 0, 1), leafOver({2, 0, 0}, {4, 1, 1}, 1, 0),
                          leafOver({4, 0, 0}, {6, 1, 1}, 1, 2), leafOver({6, 0, 0}, {8, 1, 1}, 3, 1),
                          leafOver({8, 0, 0}, {10, 1, 1}, 4, 0)},
                         {7, 7, 9, 9}};
-    MetaTable table = buildMetaTable(lattice, list.leaves);
-    growExitBoxes(lattice, list, table);
+    MetaTable table = buildMetaTable(resolution, list.leaves);
+    growExitBoxes(resolution, list, table);
     const std::pair<int, int> expected[] = {{0, 4}, {2, 4}, {0, 10}, {6, 10}, {8, 10}};
     for (std::size_t leafId = 0; leafId < list.leaves.size(); ++leafId) {
         const auto [lo, hi] = boxOf(table.leaves[leafId]);

@@ -44,14 +44,14 @@ TEST(MetaTable, takesAPinwheel) {
     const std::vector<std::uint32_t> layer = {0, 0, 1, 3, 4, 1, 3, 2, 2};
     std::vector<std::uint32_t> expected = layer;
     expected.insert(expected.end(), layer.begin(), layer.end());
-    EXPECT_EQ(buildMetaTable(lattice, leaves).leafOfCell, expected);
+    EXPECT_EQ(buildMetaTable(lattice.resolution, leaves).leafOfCell, expected);
 }
 
 TEST(MetaTable, reachesTheLastCellOfTheFinestLattice) {
     const Lattice lattice = latticeOf({1023, 2, 3});
     const std::vector<Leaf> leaves = {leafOver({0, 0, 0}, {1022, 2, 3}),
                                       leafOver({1022, 0, 0}, {1023, 2, 3})};
-    expectCellsInTheirLeaves(lattice, buildMetaTable(lattice, leaves).leafOfCell, leaves);
+    expectCellsInTheirLeaves(lattice, buildMetaTable(lattice.resolution, leaves).leafOfCell, leaves);
 }
 
 TEST(MetaTable, namesTheLeavesOfTheTree) {

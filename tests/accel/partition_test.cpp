@@ -237,7 +237,9 @@ TEST(Marching, aPartitionOfAnEmptySceneHitsNothing) {
 
 std::vector<CellBox> boxesOf(const LeafList& list) {
     std::vector<CellBox> boxes;
-    std::ranges::transform(list.leaves, std::back_inserter(boxes), boxOf);
+    for (const Leaf& leaf : list.leaves) {
+        boxes.push_back(boxOf(leaf));
+    }
     return boxes;
 }
 

@@ -8,6 +8,7 @@
 #include "shared/kd_parent.h"
 #include "shared/primary.h"
 #include "shared/ray_query.h"
+#include "shared/rectilinear.h"
 #include "shared/scene_layout.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,12 @@ const StructLayout kStructs[] = {
      sizeof(Grid),
      {MEMBER(Grid, scale), MEMBER(Grid, cellCount), MEMBER(Grid, resolution), MEMBER(Grid, padding)}},
     {"GridCell", sizeof(GridCell), {MEMBER(GridCell, firstTriangle), MEMBER(GridCell, triangleCount)}},
+    {"Rectilinear",
+     sizeof(Rectilinear),
+     {MEMBER(Rectilinear, bucketsPerUnit), MEMBER(Rectilinear, cellCount), MEMBER(Rectilinear, resolution),
+      MEMBER(Rectilinear, padding0), MEMBER(Rectilinear, firstPlane), MEMBER(Rectilinear, padding1),
+      MEMBER(Rectilinear, firstBucket), MEMBER(Rectilinear, padding2), MEMBER(Rectilinear, lastBucket),
+      MEMBER(Rectilinear, padding3)}},
     {"TriangleRecord",
      sizeof(TriangleRecord),
      {MEMBER(TriangleRecord, v0), MEMBER(TriangleRecord, triangleId), MEMBER(TriangleRecord, v1),

@@ -1,0 +1,45 @@
+#include "reference/require.h"
+#include "reference/triangle_records.h"
+#include "reference/twins.h"
+#include "shared/march.h"
+
+namespace metamarch {
+
+template <Invariants invariants>
+[[gnu::flatten]] TraceResult traceRectilinearTable(const RectilinearTable& scene, const Ray& ray,
+                                                   const HitQuery query) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    const RectilinearPlanes& planes = scene.planes;
+    const uvec3 resolution = planes.layout().resolution;
+    const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
+    const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
+    ivec3 cell = clamp(planes.searchCell(positionAt(ray, ray.tNear)), ivec3(0), ivec3(resolution) - 1);
+    while (true) {
+        require<invariants>(trace.steps < mostSteps, "the march did not end");
+        ++trace.steps;
+        const Leaf& leaf = scene.table.leaves[scene.table.leafOfCell[cellIndex(cell, resolution)]];
+        testTriangles(scene.table.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        const ivec3 lo = unpackCell(leaf.lo);
+        const ivec3 hi = unpackCell(leaf.hi);
+        require<invariants>(cell == clamp(cell, lo, hi - 1),
+                            "the table names a leaf that does not hold the cell");
+        const ivec3 farPlanes = mix(lo, hi, upward);
+        const PlaneExit next = firstOf(ray, vec3(planes.plane(0, farPlanes.x), planes.plane(1, farPlanes.y),
+                                                 planes.plane(2, farPlanes.z)));
+        const ivec3 found = planes.searchCell(positionAt(ray, next.t));
+        cell = cellBehind(ray, lo, hi, cell, found, next.axis);
+        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(cell, resolution)) {
+            return trace;
+        }
+    }
+}
+
+template TraceResult traceRectilinearTable<Invariants::checked>(const RectilinearTable&, const Ray&,
+                                                                HitQuery);
+template TraceResult traceRectilinearTable<Invariants::unchecked>(const RectilinearTable&, const Ray&,
+                                                                  HitQuery);
+
+} // namespace metamarch

@@ -1,0 +1,109 @@
+// Every traversal on every shared scene with every ray set, against the judge. It takes minutes, so it is no
+// test of CTest's: tools/test --long runs it.
+#include "bench/cpu_tracer.h"
+#include "bench/hit_check.h"
+#include "bench/ray_set.h"
+#include "error.h"
+#include "fixtures/ray_sets.h"
+#include "fixtures/shared_scenes.h"
+#include "fixtures/vulkan_environment.h"
+#include "render/ray_tracer.h"
+#include "scene/import.h"
+#include "shader_library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+namespace metamarch::bench {
+namespace {
+
+constexpr std::uint32_t kWidth = 161; // of each of the four views; not whole tiles
+constexpr std::uint32_t kHeight = 119;
+constexpr std::uint32_t kTrickyRays = 200000;
+constexpr std::size_t kBruteForceRays = 1000; // of each set: each tests every triangle
+
+std::vector<std::filesystem::path> sceneFiles() {
+    std::vector<std::filesystem::path> files;
+    if (const auto folder = tests::sharedScenes()) {
+        const std::set<std::string> endings{".glb", ".gltf", ".obj", ".off", ".ply", ".stl"};
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder)) {
+            if (endings.contains(entry.path().extension().string())) {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+struct NamedRays {
+    std::string name;
+    RaySet set;
+};
+
+std::vector<NamedRays> allRays(const Scene& scene, const AccelerationStructure& structure) {
+    std::vector<NamedRays> sets;
+    for (const std::string& name : raySetNames()) {
+        sets.push_back({name, makeRaySet(name, scene, structure, kWidth, kHeight)});
+    }
+    if (!scene.triangles.empty()) {
+        const std::vector<RayQuery> tricky = tests::trickyRays(scene, structure, kTrickyRays, 31);
+        sets.push_back({"tricky", {tricky, HitQuery::closest}});
+        sets.push_back({"tricky, any hit", {tricky, HitQuery::any}});
+    }
+    return sets;
+}
+
+class Agreement : public testing::TestWithParam<std::filesystem::path> {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+
+    const vulkan::Device& device = vulkan::testDevice();
+};
+
+TEST_P(Agreement, everyTraversalHitsWhatTheJudgeHits) {
+    Scene scene;
+    try {
+        scene = loadScene(GetParam());
+    } catch (const Error& error) {
+        ASSERT_EQ(error.code, ExitCode::sceneRefused);
+        std::cerr << "refused: " << error.what() << "\n"; // whether rightly, the tests of the import know
+        return;
+    }
+    const AccelerationStructure structure = buildAccelerationStructure(scene, {});
+    const ShadingData shading = makeShadingData(scene);
+    const render::SceneBuffers buffers(device, structure, shading);
+    const HitTolerance tolerance = toleranceOn(device.report().driver, structure.lattice);
+    for (const auto& [name, set] : allRays(scene, structure)) {
+        const std::vector<RayResult> judged = judge(structure, set.rays, set.query).results;
+        for (const std::string_view traversal : traversals()) {
+            if (!render::missingFor(device.report(), traversal).empty()) {
+                continue;
+            }
+            const std::size_t count =
+                traversal == "brute_force" ? std::min(set.rays.size(), kBruteForceRays) : set.rays.size();
+            const std::span<const RayQuery> rays = std::span(set.rays).first(count);
+            render::RayTracer tracer(device, buffers, std::string(traversal), set.query == HitQuery::any);
+            const std::uint64_t different = countDifferent(
+                rays, tracer.trace(rays), std::span(judged).first(count), set.query, tolerance);
+            EXPECT_TRUE(isWithinBudget(different, count, tolerance))
+                << traversal << ", " << name << " rays: " << different << " of " << count << " differ";
+        }
+    }
+}
+
+std::string testName(const testing::TestParamInfo<std::filesystem::path>& instance) {
+    std::string name = instance.param.filename().string();
+    std::ranges::replace_if(
+        name, [](const unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name + "_" + std::to_string(instance.index); // two folders may hold files of one name
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Agreement); // where the shared scenes are absent
+INSTANTIATE_TEST_SUITE_P(SharedScenes, Agreement, testing::ValuesIn(sceneFiles()), testName);
+
+} // namespace
+} // namespace metamarch::bench
