@@ -1,7 +1,10 @@
 #include "cli/render_command.h"
 
+#include "cli/light_options.h"
 #include "cli/number_list.h"
-#include "cli/progress.h"
+#include "cli/path_options.h"
+#include "cli/path_rendering.h"
+#include "cli/primary_rendering.h"
 #include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
@@ -10,9 +13,7 @@
 #include "error.h"
 #include "image/image_file.h"
 #include "image/output_file.h"
-#include "image/primary_image.h"
-#include "reference/primary.h"
-#include "render/primary_renderer.h"
+#include "render/scene_buffers.h"
 #include "scene/import.h"
 #include "scene/view.h"
 #include "shader_library.h"
@@ -20,9 +21,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <atomic>
-#include <chrono>
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -30,6 +29,9 @@
 
 namespace metamarch::cli {
 namespace {
+
+// Every device lets a shader see that much of a buffer.
+constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 
 struct RenderOptions {
     std::string scenePath;
@@ -43,20 +45,13 @@ struct RenderOptions {
     std::string backend = "gpu";
     std::string device;
     std::string traversal;
-    std::string integrator = "primary";
+    std::string integrator = "path";
+    PathOptions path;
+    LightOptions light;
     SceneOptions scene;
     StructureOptions structure;
     std::string statsPath;
     bool quiet = false;
-};
-
-// What rendered, for the header, the statistics and the user.
-struct Rendering {
-    std::vector<PrimaryPixel> pixels;
-    std::string device;
-    std::string driver;
-    std::string traversal;
-    nlohmann::ordered_json seconds;
 };
 
 void checkArguments(const RenderOptions& options) {
@@ -103,55 +98,6 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     return weakly_canonical(absolute(a)) == weakly_canonical(absolute(b));
 }
 
-double secondsSince(const std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-Rendering renderOnCpu(const AccelerationStructure& structure, const ShadingData& shading,
-                      const Camera& camera, const bool quiet) {
-    Progress progress("rendering", !quiet);
-    std::atomic<unsigned> rows = 0;
-    const auto start = std::chrono::steady_clock::now();
-    Rendering result;
-    result.pixels = metamarch::renderPrimary(structure, shading.materials, shading.materialOfTriangle, camera,
-                                             [&](const unsigned finished) { rows += finished; });
-    result.device = "cpu";
-    result.driver = "metamarch";
-    result.traversal = "kd_stack";
-    result.seconds["render"] = secondsSince(start);
-    return result;
-}
-
-Rendering renderOnGpu(const vulkan::Device& device, const AccelerationStructure& structure,
-                      const ShadingData& shading, const std::string& traversal, const Camera& camera,
-                      const bool quiet) {
-    Rendering result;
-    auto start = std::chrono::steady_clock::now();
-    const render::SceneBuffers scene(device, structure, shading);
-    result.seconds["upload"] = secondsSince(start);
-
-    start = std::chrono::steady_clock::now();
-    auto progress = std::make_unique<Progress>("compiling", !quiet);
-    bool first = true;
-    render::PrimaryRender render =
-        render::renderPrimary(device, scene, traversal, camera, [&](const double part) {
-            if (first) {
-                progress = nullptr;
-                progress = std::make_unique<Progress>("rendering", !quiet);
-                first = false;
-            }
-            progress->show(part);
-        });
-    result.seconds["render"] = secondsSince(start);
-    result.seconds["firstSubmission"] = render.firstSeconds;
-    result.seconds["device"] = render.deviceSeconds;
-    result.pixels = std::move(render.pixels);
-    result.device = device.name();
-    result.driver = device.report().driverInfo;
-    result.traversal = traversal;
-    return result;
-}
-
 void addHeader(Image& image, const RenderOptions& options, const SceneCamera& camera,
                const Rendering& rendering) {
     const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
@@ -168,34 +114,44 @@ void addHeader(Image& image, const RenderOptions& options, const SceneCamera& ca
 }
 
 nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure& structure,
-                                 const Rendering& rendering, const glm::uvec2 size) {
-    double steps = 0.0;
-    double tests = 0.0;
-    std::uint64_t hits = 0;
-    for (const PrimaryPixel& pixel : rendering.pixels) {
-        steps += pixel.steps;
-        tests += pixel.tests;
-        hits += pixel.triangleId != kNoTriangle ? 1 : 0;
-    }
-    const auto rays = static_cast<double>(rendering.pixels.size());
+                                 const Rendering& rendering, const RenderOptions& options,
+                                 const glm::uvec2 size) {
     nlohmann::ordered_json stats;
     stats["schema"] = 1;
     stats["device"] = rendering.device;
     stats["driver"] = rendering.driver;
     stats["traversal"] = rendering.traversal;
+    stats["integrator"] = options.integrator;
     stats["size"] = {size.x, size.y};
-    stats["rays"] = rendering.pixels.size();
-    stats["hits"] = hits;
-    stats["stepsPerRay"] = steps / rays;
-    stats["testsPerRay"] = tests / rays;
-    stats["mraysPerSecond"] = rays / rendering.seconds["render"].get<double>() * 1e-6;
-    stats["seconds"] = rendering.seconds;
+    stats.update(rendering.stats);
     stats["scene"] = reportStructure(scene, structure);
     return stats;
 }
 
+bool hasLight(const Scene& scene) {
+    return !scene.lights.empty() || std::ranges::any_of(scene.triangleMaterial, [&](const std::uint32_t id) {
+        return id != kNoMaterial &&
+               (scene.materials[id].unlit || scene.materials[id].emissiveFactor != glm::vec3(0.0f));
+    });
+}
+
+Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
+    const bool isOcclusion = options.integrator == "ao";
+    Surroundings surroundings;
+    surroundings.background = glm::vec3(1.0f);
+    if (!isOcclusion) {
+        surroundings = options.light.load(hasLight(job.scene));
+    }
+    const ShadingScene shading =
+        makeShadingScene(job.scene, surroundings, options.path.shading(options.integrator), kTexelChunkBytes);
+    return renderPaths(job, shading, options.path.apply(shading.settings, options.integrator),
+                       options.path.samples());
+}
+
 void runRender(const RenderOptions& options) {
     checkArguments(options);
+    options.path.check();
+    options.light.check();
     const glm::uvec2 size = parseSize("--size", options.size);
     const AccelerationOptions structureOptions = options.structure.parse();
     checkWritable(options.outputPath);
@@ -224,26 +180,21 @@ void runRender(const RenderOptions& options) {
     const Camera camera = makeCamera(sceneCamera, size.x, size.y);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
     printWarnings(scene, structure);
-    const ShadingData shading = makeShadingData(scene);
-    const Rendering rendering =
-        device ? renderOnGpu(*device, structure, shading, traversal, camera, options.quiet)
-               : renderOnCpu(structure, shading, camera, options.quiet);
+    const RenderJob job{scene, structure, camera, device ? &*device : nullptr, traversal, options.quiet};
+    Rendering rendering = options.integrator == "primary" ? renderPrimary(job) : tracePaths(job, options);
 
-    Image image = primaryImage(rendering.pixels, static_cast<int>(size.x), static_cast<int>(size.y));
-    addHeader(image, options, sceneCamera, rendering);
-    const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, size);
-    writeImage(image, options.outputPath);
+    addHeader(rendering.image, options, sceneCamera, rendering);
+    const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
+    writeImage(rendering.image, options.outputPath);
     if (!options.statsPath.empty()) {
         // A driver may call its device by bytes that are no UTF-8.
         writeText(options.statsPath,
                   stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (!options.quiet) {
-        fmt::print(
-            "{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {:.2f} steps and {:.2f} tests per ray\n",
-            options.outputPath, size.x, size.y, scene.triangles.size(), rendering.traversal, rendering.device,
-            rendering.driver, rendering.seconds["render"].get<double>(), stats["stepsPerRay"].get<double>(),
-            stats["testsPerRay"].get<double>());
+        fmt::print("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n", options.outputPath, size.x,
+                   size.y, scene.triangles.size(), rendering.traversal, rendering.device, rendering.driver,
+                   rendering.stats["seconds"]["render"].get<double>(), rendering.summary);
     }
 }
 
@@ -289,14 +240,20 @@ void addRenderCommand(CLI::App& program) {
                      fmt::format("How rays find triangles (default {})", names.front()))
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
         ->group(deviceGroup);
-    command->add_option("--integrator", options->integrator, "What a pixel shows")
-        ->check(CLI::IsMember({"primary"}))
+    command
+        ->add_option(
+            "--integrator", options->integrator,
+            "path: global illumination; direct: without bounces; ao: white, under a white sky; primary: "
+            "what is seen, lit from the eye, at pixel centres")
+        ->check(CLI::IsMember({"path", "direct", "ao", "primary"}))
         ->capture_default_str()
         ->group(deviceGroup);
+    options->path.addTo(*command);
+    options->light.addTo(*command);
     options->scene.addTo(*command);
     options->structure.addTo(*command);
     command->footer(
-        "Pixel (0,0) is top left; rays go through pixel centres.\n\n"
+        "Pixel (0,0) is top left.\n\n"
         "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360");
     command->callback([options] { runRender(*options); });
 }

@@ -15,27 +15,12 @@
 #ifndef METAMARCH_SHARED_BSDF_MODEL_H
 #define METAMARCH_SHARED_BSDF_MODEL_H
 #include "shared/coat.h"
+#include "shared/features.h"
 #include "shared/iridescence.h"
 #include "shared/sheen.h"
 #include "shared/surface.h"
 
 SHARED_BEGIN
-
-// A driver that runs both sides of a branch pays for features that a scene does not use. A kernel may define
-// BSDF_FEATURES, for instance as a specialization constant; the parameters of the others then count as
-// absent.
-const uint kFeatureCoat = 1u;
-const uint kFeatureSheen = 2u;
-const uint kFeatureTransmission = 4u;
-const uint kFeatureVolume = 8u; // refraction; wants kFeatureTransmission
-const uint kFeatureIridescence = 16u;
-const uint kFeatureDiffuseTransmission = 32u;
-const uint kAllFeatures = 63u;
-#ifndef BSDF_FEATURES
-#define BSDF_FEATURES kAllFeatures
-#endif
-
-SHARED_FN bool hasFeature(const uint feature) { return (BSDF_FEATURES & feature) != 0u; }
 
 // Refraction between nearly equal media: the half vector of wo and wi would cancel.
 const float kMinVolumeIor = 1.001f;

@@ -36,6 +36,16 @@ SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {
     return CameraRay(origin, unitVector(dir));
 }
 
+// A ray through the pixel's square.
+SHARED_FN CameraRay sampleCameraRay(const Camera camera, const uint x, const uint y, const vec2 uFilter,
+                                    const vec2 uLens) {
+    const float right = (float(x) + uFilter.x + 0.0f * uLens.x) / float(camera.width) * 2.0f - 1.0f;
+    const float down = (float(y) + uFilter.y) / float(camera.height) * 2.0f - 1.0f;
+    const vec3 origin = camera.eye + camera.eyeRight * right + camera.eyeDown * down;
+    const vec3 dir = camera.forward + camera.dirRight * right + camera.dirDown * down;
+    return CameraRay(origin, unitVector(dir));
+}
+
 SHARED_ASSERT_SIZE(Camera, 96)
 SHARED_ASSERT_OFFSET(Camera, width, 12)
 SHARED_ASSERT_OFFSET(Camera, forward, 16)

@@ -19,6 +19,7 @@ struct AliasEntry {
     float keep; // in [0, 1]
     uint other;
     float probability; // of the slot's own entry, over the whole table
+    uint padding;
 };
 
 struct AliasSlot {
@@ -128,7 +129,7 @@ SHARED_FN bool hitsDisc(const LightRecord light, const vec3 wi) {
     return light.kind == kLightDisc && dotProduct(off, off) <= 2.0f * light.scale;
 }
 
-SHARED_ASSERT_SIZE(AliasEntry, 12)
+SHARED_ASSERT_SIZE(AliasEntry, 16)
 SHARED_ASSERT_OFFSET(AliasEntry, other, 4)
 SHARED_ASSERT_OFFSET(AliasEntry, probability, 8)
 SHARED_ASSERT_SIZE(LightRecord, 48)

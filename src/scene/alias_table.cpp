@@ -34,7 +34,7 @@ std::vector<AliasEntry> makeAliasTable(std::span<const float> weights) {
     for (std::size_t i = 0; i < count; ++i) {
         const double probability = sum > 0.0 ? weights[i] / sum : 1.0 / static_cast<double>(count);
         share[i] = probability * static_cast<double>(count);
-        table[i] = {1.0f, static_cast<std::uint32_t>(i), static_cast<float>(probability)};
+        table[i] = {1.0f, static_cast<std::uint32_t>(i), static_cast<float>(probability), 0};
         (share[i] < 1.0 ? small : large).push_back(static_cast<std::uint32_t>(i));
     }
     while (!small.empty() && !large.empty()) {

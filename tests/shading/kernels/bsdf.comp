@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(constant_id = 0) const uint kFeatures = 0xffffffffu;
-#define BSDF_FEATURES kFeatures
+#define SHADING_FEATURES kFeatures
 #include "shading/bsdf_case.h"
 layout(local_size_x = 64) in;
 

@@ -1,0 +1,69 @@
+#include "cli/path_options.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace metamarch::cli {
+namespace {
+
+// Float sums of more samples would no longer grow; dimensions of more bounces would pass 2^32.
+constexpr std::uint32_t kMostSamples = 1u << 24u;
+constexpr std::uint32_t kMostBounces = 1u << 16u;
+
+} // namespace
+
+void PathOptions::addTo(CLI::App& command) {
+    const std::string group = "Light transport (--integrator path, direct, ao)";
+    command.add_option("-s,--spp", spp, "Samples a pixel")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--seed", seed, "Another seed draws other samples")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--max-bounces", maxBounces, "Scattered this often at most; 0: direct light alone")
+        ->type_name("N")
+        ->capture_default_str()
+        ->group(group);
+    command.add_option("--clamp", clamp, "Limit what one way to a light adds to a sample, in luminance")
+        ->type_name("L")
+        ->group(group);
+    command
+        .add_option("--brdf", brdf,
+                    "compensated: rough surfaces keep their energy; gltf: single scattering to the letter of "
+                    "glTF 2.0, Appendix B")
+        ->check(CLI::IsMember({"compensated", "gltf"}))
+        ->capture_default_str()
+        ->group(group);
+}
+
+void PathOptions::check() const {
+    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    if (spp < 1 || spp > kMostSamples) {
+        refuse(fmt::format("--spp {}: give 1 to {}", spp, kMostSamples));
+    }
+    if (maxBounces > kMostBounces) {
+        refuse(fmt::format("--max-bounces {}: give at most {}", maxBounces, kMostBounces));
+    }
+    if (!(std::isfinite(clamp) && clamp >= 0.0)) {
+        refuse(fmt::format("--clamp {}: give a finite luminance of at least 0", clamp));
+    }
+}
+
+PathSettings PathOptions::apply(PathSettings settings, const std::string& integrator) const {
+    settings.maxBounces = integrator == "path" ? maxBounces : 0;
+    settings.seed = seed;
+    settings.strategies = kSampleLights | kSampleBsdf;
+    settings.clampLuminance = static_cast<float>(clamp);
+    return settings;
+}
+
+ShadingOptions PathOptions::shading(const std::string& integrator) const {
+    return {.isSingleScatter = brdf == "gltf", .isWhite = integrator == "ao"};
+}
+
+} // namespace metamarch::cli

@@ -1,0 +1,11 @@
+// The path tracer for `metamarch render`.
+#pragma once
+#include "cli/rendering.h"
+#include "scene/shading_scene.h"
+
+namespace metamarch::cli {
+
+Rendering renderPaths(const RenderJob& job, const ShadingScene& shading, const PathSettings& settings,
+                      std::uint32_t samples);
+
+} // namespace metamarch::cli

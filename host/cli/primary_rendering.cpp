@@ -1,0 +1,82 @@
+#include "cli/primary_rendering.h"
+
+#include "cli/progress.h"
+#include "cli/stopwatch.h"
+#include "image/primary_image.h"
+#include "reference/primary.h"
+#include "render/primary_renderer.h"
+#include "scene/shading.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace metamarch::cli {
+namespace {
+
+std::vector<PrimaryPixel> renderOnCpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
+    Progress progress("rendering", !job.quiet);
+    const Stopwatch stopwatch;
+    std::vector<PrimaryPixel> pixels = metamarch::renderPrimary(
+        job.structure, shading.materials, shading.materialOfTriangle, job.camera, [](unsigned) {});
+    result.device = "cpu";
+    result.driver = "metamarch";
+    result.traversal = "kd_stack";
+    result.stats["seconds"]["render"] = stopwatch.seconds();
+    return pixels;
+}
+
+std::vector<PrimaryPixel> renderOnGpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
+    const Stopwatch upload;
+    const render::SceneBuffers scene(*job.device, job.structure, shading);
+    result.stats["seconds"]["upload"] = upload.seconds();
+
+    const Stopwatch stopwatch;
+    std::optional<Progress> progress(std::in_place, "compiling", !job.quiet);
+    bool isFirst = true;
+    render::PrimaryRender render =
+        render::renderPrimary(*job.device, scene, job.traversal, job.camera, [&](const double part) {
+            if (std::exchange(isFirst, false)) {
+                progress.reset();
+                progress.emplace("rendering", !job.quiet);
+            }
+            progress->show(part);
+        });
+    result.device = job.device->name();
+    result.driver = job.device->report().driverInfo;
+    result.traversal = job.traversal;
+    result.stats["seconds"]["render"] = stopwatch.seconds();
+    result.stats["seconds"]["firstSubmission"] = render.firstSeconds;
+    result.stats["seconds"]["device"] = render.deviceSeconds;
+    return std::move(render.pixels);
+}
+
+} // namespace
+
+Rendering renderPrimary(const RenderJob& job) {
+    const ShadingData shading = makeShadingData(job.scene);
+    Rendering result;
+    const std::vector<PrimaryPixel> pixels =
+        job.device != nullptr ? renderOnGpu(job, shading, result) : renderOnCpu(job, shading, result);
+
+    double steps = 0.0;
+    double tests = 0.0;
+    std::uint64_t hits = 0;
+    for (const PrimaryPixel& pixel : pixels) {
+        steps += pixel.steps;
+        tests += pixel.tests;
+        hits += pixel.triangleId != kNoTriangle ? 1 : 0;
+    }
+    const auto rays = static_cast<double>(pixels.size());
+    result.stats["rays"] = pixels.size();
+    result.stats["hits"] = hits;
+    result.stats["stepsPerRay"] = steps / rays;
+    result.stats["testsPerRay"] = tests / rays;
+    result.stats["mraysPerSecond"] = rays / result.stats["seconds"]["render"].get<double>() * 1e-6;
+    result.summary = fmt::format("{:.2f} steps and {:.2f} tests per ray", steps / rays, tests / rays);
+    result.image =
+        primaryImage(pixels, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height));
+    return result;
+}
+
+} // namespace metamarch::cli

@@ -1,0 +1,9 @@
+// The `primary` integrator for `metamarch render`.
+#pragma once
+#include "cli/rendering.h"
+
+namespace metamarch::cli {
+
+Rendering renderPrimary(const RenderJob& job);
+
+} // namespace metamarch::cli

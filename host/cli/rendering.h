@@ -1,0 +1,33 @@
+// What `metamarch render` makes of a scene, whichever integrator draws it.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "shared/camera.h"
+#include "vulkan/device.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace metamarch::cli {
+
+struct RenderJob {
+    const Scene& scene;
+    const AccelerationStructure& structure;
+    const Camera& camera;
+    const vulkan::Device* device; // none: on the CPU, by the stack traversal
+    std::string traversal;
+    bool quiet;
+};
+
+struct Rendering {
+    Image image;
+    std::string device;
+    std::string driver;
+    std::string traversal;
+    nlohmann::ordered_json stats; // rays, seconds and the like; not the scene's
+    std::string summary;          // for the last line: what a ray or a sample took
+};
+
+} // namespace metamarch::cli

@@ -1,0 +1,17 @@
+// Wall-clock seconds since it was made.
+#pragma once
+#include <chrono>
+
+namespace metamarch::cli {
+
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+} // namespace metamarch::cli

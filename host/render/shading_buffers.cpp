@@ -1,0 +1,62 @@
+#include "render/shading_buffers.h"
+
+#include "vulkan/transfer.h"
+
+namespace metamarch::render {
+namespace {
+
+// Bindings whose entries are single words; all others have four.
+bool isTexels(const std::uint32_t binding) {
+    return binding >= kBindTexels && binding < kBindTexels + kTexelChunks;
+}
+
+} // namespace
+
+ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene& scene)
+    : features(scene.features) {
+    const auto add = [&](const std::uint32_t binding, const auto& values, const char* name) {
+        const std::span<const std::byte> data = std::as_bytes(std::span(values));
+        // A view needs an entry, also where the scene has none.
+        static constexpr std::array<std::byte, 16> kNone{};
+        buffers.emplace(binding, vulkan::upload(device, data.empty() ? std::span(kNone) : data, name));
+    };
+    add(kBindSurfaces, scene.surfaces, "surfaces");
+    add(kBindVertices, scene.vertices, "vertices");
+    add(kBindColors, scene.colors, "vertex colours");
+    add(kBindTangents, scene.tangents, "tangents");
+    add(kBindMaterialRecords, scene.materials, "materials");
+    add(kBindTextures, scene.textures, "textures");
+    add(kBindEmitters, scene.emitters, "emitters");
+    add(kBindLights, scene.lights, "lights");
+    add(kBindLightTable, scene.lightTable, "light table");
+    add(kBindEnvironment, scene.environment, "environment");
+    add(kBindEnvironmentRows, scene.environmentRows, "environment's rows");
+    add(kBindEnvironmentColumns, scene.environmentColumns, "environment's columns");
+    for (std::uint32_t i = 0; i < kTexelChunks; ++i) {
+        add(kBindTexels + i, scene.texels[i], "texels");
+    }
+}
+
+void ShadingBuffers::addTo(vulkan::KernelInfo& kernel) const {
+    for (const auto& [binding, buffer] : buffers) {
+        kernel.texelBindings.emplace(binding, isTexels(binding) ? vk::Format::eR32Uint
+                                                                : vk::Format::eR32G32B32A32Uint);
+    }
+    kernel.specialization[kSpecFeatures] = features;
+}
+
+void ShadingBuffers::bindTo(vulkan::ComputePipeline& pipeline) const {
+    for (const auto& [binding, buffer] : buffers) {
+        pipeline.bind(binding, buffer);
+    }
+}
+
+std::uint64_t ShadingBuffers::bytes() const {
+    std::uint64_t total = 0;
+    for (const auto& [binding, buffer] : buffers) {
+        total += buffer.size();
+    }
+    return total;
+}
+
+} // namespace metamarch::render

@@ -1,0 +1,114 @@
+// The path tracer, one invocation a pixel. Each turn of the loop takes a path to its next surface and on; a
+// path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
+// neighbours' longer paths, and no state of a path ever leaves the registers.
+#include "lib/shading.glsl"
+#include "shared/film.h"
+#include "shared/primary.h"
+
+layout(local_size_x = kTilePixels) in;
+
+layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
+layout(std140, binding = kBindPathSettings) uniform SettingsBuffer { PathSettings settings; };
+layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
+// [0]: pixels that want another dispatch. A driver that limits the turns of loops may end an invocation
+// before it has come to push.endSample. [1]: pixels that came no further in this one.
+layout(std430, binding = kBindPathStatus) buffer StatusBuffer { uint status[2]; };
+layout(push_constant) uniform PushBlock { PathPush push; };
+
+// The closest triangle that is there for this path, or any.
+Trace traceSolid(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
+    Trace trace = startTrace(given);
+    if (!hasFeature(kFeatureAlpha)) {
+        traverse(given, anyHit, trace);
+        return trace;
+    }
+    Ray ray = given;
+    bool isFound = false;
+    do {
+        // Under a condition: llvmpipe takes lanes that have left the loop through it again.
+        if (!isFound) {
+            Trace next = startTrace(ray);
+            traverse(ray, false, next);
+            next.steps += trace.steps;
+            next.tests += trace.tests;
+            trace = next;
+            isFound = !next.finished || next.hit.triangleId == kNoTriangle;
+            if (!isFound) {
+                isFound = isThere(ray, loadTriangle(next.slot), at, dimension);
+                ray.tMin = next.hit.t;
+            }
+        }
+    } while (!isFound);
+    return trace;
+}
+
+FirstHit firstHit(const PathStep step, const vec3 dir, const float t, const uint triangleId) {
+    return FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal,
+                    t * dotProduct(dir, camera.forward));
+}
+
+void main() {
+    const uint tile = push.firstTile + gl_WorkGroupID.x;
+    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
+    const uvec2 pixel = uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
+    if (pixel.x >= camera.width || pixel.y >= camera.height) {
+        return;
+    }
+    const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
+    FilmPixel sum = film[index];
+    const uint before = sum.samples;
+    PixelSample at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
+    Path path = cameraPath(camera, pixel.x, pixel.y, at);
+    FirstHit first = missFirst();
+    bool isOn = sum.samples < push.endSample;
+
+    // Holds here: `sum` has every sample before sum.samples, of which `path` is on its way.
+    do {
+        if (isOn) {
+            const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
+            const Trace trace = traceSolid(ray, false, at, bounceDimension(path.bounce, kBounceAlpha));
+            bool isWhole = trace.finished;
+            sum.steps += float(trace.steps);
+            sum.tests += float(trace.tests);
+            ++sum.rays;
+            if (trace.hit.triangleId == kNoTriangle) {
+                path = leaveScene(settings, path);
+            } else {
+                const TriangleRecord triangle = loadTriangle(trace.slot);
+                const float t = ray.shift + trace.hit.t;
+                const PathStep step = meetSurface(settings, path, ray, t, triangle, at);
+                if (path.bounce == 0u) {
+                    first = firstHit(step, path.dir, t, trace.hit.triangleId);
+                }
+                const uint bounce = path.bounce;
+                path = step.path;
+                if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
+                    const ShadowRay shadow = step.shadow;
+                    const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);
+                    const Trace blocker =
+                        traceSolid(toLight, true, at, bounceDimension(bounce, kBounceLightAlpha));
+                    isWhole = isWhole && blocker.finished;
+                    sum.steps += float(blocker.steps);
+                    sum.tests += float(blocker.tests);
+                    ++sum.shadowRays;
+                    if (blocker.hit.triangleId == kNoTriangle) {
+                        path.radiance += shadow.gain;
+                    }
+                }
+            }
+            if (isWhole && !path.isAlive) {
+                sum = addSample(sum, path.radiance, first);
+                at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
+                path = cameraPath(camera, pixel.x, pixel.y, at);
+                first = missFirst();
+            }
+            isOn = isWhole && sum.samples < push.endSample;
+        }
+    } while (isOn);
+
+    film[index] = sum;
+    if (sum.samples < push.endSample) {
+        atomicAdd(status[0], 1u);
+        atomicAdd(status[1], sum.samples == before ? 1u : 0u);
+    }
+}

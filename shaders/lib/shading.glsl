@@ -1,0 +1,124 @@
+// What shading reads of the scene. src/scene/shading_scene.h has the same functions for the CPU.
+#ifndef METAMARCH_LIB_SHADING_GLSL
+#define METAMARCH_LIB_SHADING_GLSL
+#include "lib/memory.glsl"
+#include "shared/scene_layout.h"
+#include "shared/shading_layout.h"
+
+layout(constant_id = kSpecFeatures) const uint sceneFeatures = 0xffffffffu;
+#define SHADING_FEATURES sceneFeatures
+#include "shared/features.h"
+#include "shared/light.h"
+
+WORDS4(surfaceWords, kBindSurfaces);
+WORDS4(vertexWords, kBindVertices);
+WORDS4(colorWords, kBindColors);
+WORDS4(tangentWords, kBindTangents);
+WORDS4(materialWords, kBindMaterialRecords);
+WORDS4(textureWords, kBindTextures);
+WORDS4(emitterWords, kBindEmitters);
+WORDS4(lightWords, kBindLights);
+WORDS4(lightTableWords, kBindLightTable);
+WORDS4(environmentWords, kBindEnvironment);
+WORDS4(environmentRowWords, kBindEnvironmentRows);
+WORDS4(environmentColumnWords, kBindEnvironmentColumns);
+WORDS1(texelWords0, kBindTexels);
+WORDS1(texelWords1, kBindTexels + 1u);
+WORDS1(texelWords2, kBindTexels + 2u);
+WORDS1(texelWords3, kBindTexels + 3u);
+
+Surface loadSurface(const uint triangleId) {
+    const uvec4 words = LOAD4(surfaceWords, triangleId);
+    return Surface(words.x, words.y, words.z, words.w);
+}
+
+vec3 loadVertexNormal(const uint i) { return uintBitsToFloat(LOAD4(vertexWords, 2u * i).xyz); }
+
+Vertex loadVertex(const uint i) {
+    const vec4 a = uintBitsToFloat(LOAD4(vertexWords, 2u * i));
+    const vec4 b = uintBitsToFloat(LOAD4(vertexWords, 2u * i + 1u));
+    return Vertex(a.xyz, a.w, b.x, b.y, b.z, 0u);
+}
+
+vec4 loadColor(const uint i) { return uintBitsToFloat(LOAD4(colorWords, i)); }
+vec4 loadTangent(const uint i) { return uintBitsToFloat(LOAD4(tangentWords, i)); }
+
+// Rows that no material of the scene uses are not read: what they hold is not looked at.
+uvec4 loadMaterialRow(const uint i, const uint row, const bool isUsed) {
+    return isUsed ? LOAD4(materialWords, i * kMaterialRows + row) : uvec4(0u);
+}
+
+MaterialRecord loadMaterial(const uint i) {
+    const bool isPainted = hasFeature(kFeatureTextures);
+    const vec4 base = uintBitsToFloat(loadMaterialRow(i, 0u, true));
+    const vec4 emission = uintBitsToFloat(loadMaterialRow(i, 1u, hasFeature(kFeatureEmission)));
+    const uvec4 plain = loadMaterialRow(i, 2u, true);
+    const uvec4 textures = loadMaterialRow(i, 3u, isPainted);
+    const vec4 more = uintBitsToFloat(loadMaterialRow(
+        i, 4u, hasFeature(kFeatureNormalMaps | kFeatureAlpha | kFeatureTransmission | kFeatureDispersion)));
+    const uvec4 volume = loadMaterialRow(i, 5u, hasFeature(kFeatureTransmission));
+    const vec4 specular = uintBitsToFloat(loadMaterialRow(i, 6u, hasFeature(kFeatureSpecular)));
+    const vec4 sheen = uintBitsToFloat(loadMaterialRow(i, 7u, hasFeature(kFeatureSheen)));
+    const bool isTranslucent = hasFeature(kFeatureDiffuseTransmission);
+    const vec4 translucent = uintBitsToFloat(loadMaterialRow(i, 8u, isTranslucent));
+    const vec4 coat = uintBitsToFloat(loadMaterialRow(i, 9u, hasFeature(kFeatureCoat | kFeatureAnisotropy)));
+    const vec4 film = uintBitsToFloat(loadMaterialRow(i, 10u, hasFeature(kFeatureIridescence)));
+    const uvec4 turn =
+        loadMaterialRow(i, 11u, hasFeature(kFeatureAnisotropy) || (isPainted && isTranslucent));
+    const uvec4 textures2 =
+        loadMaterialRow(i, 12u, isPainted && hasFeature(kFeatureSpecular | kFeatureSheen));
+    const uvec4 textures3 =
+        loadMaterialRow(i, 13u, isPainted && hasFeature(kFeatureCoat | kFeatureAnisotropy));
+    const uvec4 textures4 = loadMaterialRow(i, 14u, isPainted && hasFeature(kFeatureIridescence));
+    return MaterialRecord(base.xyz, base.w, emission.xyz, emission.w, uintBitsToFloat(plain.x),
+                          uintBitsToFloat(plain.y), uintBitsToFloat(plain.z), plain.w, textures.x, textures.y,
+                          textures.z, textures.w, more.x, more.y, more.z, more.w, uintBitsToFloat(volume.xyz),
+                          volume.w, specular.xyz, specular.w, sheen.xyz, sheen.w, translucent.xyz,
+                          translucent.w, coat.x, coat.y, coat.z, coat.w, film.x, film.y, film.z, film.w,
+                          uintBitsToFloat(turn.x), uintBitsToFloat(turn.y), turn.z, turn.w, textures2.x,
+                          textures2.y, textures2.z, textures2.w, textures3.x, textures3.y, textures3.z,
+                          textures3.w, textures4.x, textures4.y, 0u, 0u);
+}
+
+TextureRecord loadTexture(const uint i) {
+    const uvec4 size = LOAD4(textureWords, 3u * i);
+    const vec4 u = uintBitsToFloat(LOAD4(textureWords, 3u * i + 1u));
+    const vec4 v = uintBitsToFloat(LOAD4(textureWords, 3u * i + 2u));
+    return TextureRecord(size.x, size.y, size.z, size.w, u.xyz, 0u, v.xyz, 0u);
+}
+
+uint loadTexel(const uint chunk, const uint word) {
+    if (chunk == 0u) {
+        return LOAD1(texelWords0, word);
+    }
+    if (chunk == 1u) {
+        return LOAD1(texelWords1, word);
+    }
+    if (chunk == 2u) {
+        return LOAD1(texelWords2, word);
+    }
+    return LOAD1(texelWords3, word);
+}
+
+Emitter loadEmitter(const uint i) {
+    const uvec4 a = LOAD4(emitterWords, 3u * i);
+    const uvec4 b = LOAD4(emitterWords, 3u * i + 1u);
+    const uvec4 c = LOAD4(emitterWords, 3u * i + 2u);
+    return Emitter(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), 0u);
+}
+
+LightRecord loadLight(const uint i) {
+    const uvec4 a = LOAD4(lightWords, 3u * i);
+    const vec4 b = uintBitsToFloat(LOAD4(lightWords, 3u * i + 1u));
+    const vec4 c = uintBitsToFloat(LOAD4(lightWords, 3u * i + 2u));
+    return LightRecord(uintBitsToFloat(a.xyz), a.w, b.xyz, b.w, c.xyz, c.w);
+}
+
+AliasEntry aliasEntry(const uvec4 words) {
+    return AliasEntry(uintBitsToFloat(words.x), words.y, uintBitsToFloat(words.z), 0u);
+}
+AliasEntry loadLightEntry(const uint i) { return aliasEntry(LOAD4(lightTableWords, i)); }
+AliasEntry loadEnvironmentRow(const uint i) { return aliasEntry(LOAD4(environmentRowWords, i)); }
+AliasEntry loadEnvironmentColumn(const uint i) { return aliasEntry(LOAD4(environmentColumnWords, i)); }
+vec3 loadEnvironment(const uint i) { return uintBitsToFloat(LOAD4(environmentWords, i).xyz); }
+#endif

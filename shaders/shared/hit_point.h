@@ -1,0 +1,77 @@
+// The point that a ray hit, and rays that leave it.
+#ifndef METAMARCH_SHARED_HIT_POINT_H
+#define METAMARCH_SHARED_HIT_POINT_H
+#include "shared/triangle.h"
+
+SHARED_BEGIN
+
+// Weights of the three corners where the ray meets the triangle, which it does; they sum to 1. The same
+// formulas as intersectTriangle.
+SHARED_FN vec3 cornerWeights(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
+    const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
+    const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
+    const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
+    const float ax = a.x - ray.shear.x * a.z;
+    const float ay = a.y - ray.shear.y * a.z;
+    const float bx = b.x - ray.shear.x * b.z;
+    const float by = b.y - ray.shear.y * b.z;
+    const float cx = c.x - ray.shear.x * c.z;
+    const float cy = c.y - ray.shear.y * c.z;
+    const float u = abs(differenceOfProducts(cx, by, cy, bx));
+    const float v = abs(differenceOfProducts(ax, cy, ay, cx));
+    const float w = abs(differenceOfProducts(bx, ay, by, ax));
+    const float sum = u + v + w;
+    const float scale = 1.0f / (sum > 0.0f ? sum : 1.0f);
+    return sum > 0.0f ? vec3(u * scale, v * scale, w * scale) : vec3(1.0f, 0.0f, 0.0f);
+}
+
+// The next float away from zero in the direction of `towards`, of one component.
+SHARED_FN float nextTowards(const float x, const float towards) {
+    if (towards == 0.0f) {
+        return x;
+    }
+    const bool isUp = towards > 0.0f;
+    const uint bits = floatBitsToUint(x);
+    const uint smallest = isUp ? 0x00800000u : 0x80800000u; // normal: devices flush denormals
+    const bool isTiny = (bits & 0x7fffffffu) < 0x00800000u;
+    const bool isAway = (x > 0.0f) == isUp;
+    return uintBitsToFloat(isTiny ? smallest : isAway ? bits + 1u : bits - 1u);
+}
+
+struct SurfacePoint {
+    vec3 position; // on the triangle but for rounding
+    vec3 normal;   // geometric, unit length, out of the front
+    float lift;    // how far along the normal a point is sure to lie off the triangle, rounding included
+};
+
+// How far the triangle test may see a triangle from where it is, in units of its longest edge, and so how far
+// a ray from its plane must start to miss it: 9 ulps (triangle.h), taken thrice.
+const float kTestError = 1.6093254e-6f;  // 27 * 2^-24
+const float kPointError = 1.7881393e-7f; // 3 * 2^-24: of adding an offset to a corner, and the lift to that
+
+// The error bounds are M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 4th edition, 2023,
+// section 6.8, for a point counted from the first corner: edges are small where positions are large, so only
+// the last addition feels how far away from the origin the scene lies.
+SHARED_FN SurfacePoint makeSurfacePoint(const TriangleRecord triangle, const vec3 weights) {
+    const vec3 e1 = triangle.v1 - triangle.v0;
+    const vec3 e2 = triangle.v2 - triangle.v0;
+    const vec3 position = triangle.v0 + (e1 * weights.y + e2 * weights.z);
+    const vec3 scaled = scaledNormal(triangle.v0, triangle.v1, triangle.v2);
+    const vec3 normal = unitVector(scaled / largest(abs(scaled)));
+    const vec3 reach = max(max(abs(e1), abs(e2)), abs(e1 - e2));
+    const vec3 size = abs(position);
+    const float rounding =
+        kPointError * (abs(normal.x) * size.x + abs(normal.y) * size.y + abs(normal.z) * size.z);
+    return SurfacePoint(position, normal, rounding + kTestError * largest(reach));
+}
+
+// Where a ray starts that leaves the point to the side of `towards`: off the triangle by its lift at least.
+SHARED_FN vec3 offsetPoint(const SurfacePoint point, const vec3 towards) {
+    const float side = dotProduct(towards, point.normal) < 0.0f ? -1.0f : 1.0f;
+    const vec3 away = point.normal * side;
+    const vec3 moved = point.position + away * point.lift;
+    return vec3(nextTowards(moved.x, away.x), nextTowards(moved.y, away.y), nextTowards(moved.z, away.z));
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,158 @@
+// From a hit to what the BSDF wants: vertex attributes interpolated, textures looked up.
+#ifndef METAMARCH_SHARED_MATERIAL_H
+#define METAMARCH_SHARED_MATERIAL_H
+#include "shared/surface.h"
+#include "shared/texture.h"
+
+SHARED_BEGIN
+
+SHARED_FN vec3 xyz(const vec4 v) { return vec3(v.x, v.y, v.z); }
+
+SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const vec3 weights) {
+    if (!hasFeature(SCENE kFeatureTextures)) {
+        return TexturePoint(vec2(0.0f), vec2(0.0f));
+    }
+    const Vertex a = loadVertex(SCENE surface.vertex0);
+    const Vertex b = loadVertex(SCENE surface.vertex1);
+    const Vertex c = loadVertex(SCENE surface.vertex2);
+    return TexturePoint(
+        vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z,
+        vec2(a.u1, a.v1) * weights.x + vec2(b.u1, b.v1) * weights.y + vec2(c.u1, c.v1) * weights.z);
+}
+
+SHARED_FN vec4 vertexColor(SCENE_PARAMETER const Surface surface, const vec3 weights) {
+    if (!hasFeature(SCENE kFeatureColors)) {
+        return vec4(1.0f);
+    }
+    return loadColor(SCENE surface.vertex0) * weights.x + loadColor(SCENE surface.vertex1) * weights.y +
+           loadColor(SCENE surface.vertex2) * weights.z;
+}
+
+// What of the surface is there, from 0 to 1.
+SHARED_FN float coverageOf(const MaterialRecord material, const float alpha) {
+    const float masked = alpha >= material.alphaCutoff ? 1.0f : 0.0f;
+    const bool isMask = (material.flags & kMaterialMask) != 0u;
+    const bool isBlend = (material.flags & kMaterialBlend) != 0u;
+    return isMask ? masked : isBlend ? alpha : 1.0f;
+}
+
+SHARED_FN float coverage(SCENE_PARAMETER const MaterialRecord material, const Surface surface,
+                         const vec3 weights, const TexturePoint at) {
+    if (!hasFeature(SCENE kFeatureAlpha) || (material.flags & (kMaterialMask | kMaterialBlend)) == 0u) {
+        return 1.0f;
+    }
+    const float alpha = material.alpha * vertexColor(SCENE surface, weights).w *
+                        lookUp(SCENE material.baseColorTexture, at).w;
+    return coverageOf(material, alpha);
+}
+
+// The material with every texture looked up.
+SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord record, const vec4 color,
+                                          const TexturePoint at, const float ior) {
+    SurfaceMaterial material;
+    material.baseColor = record.baseColor * xyz(color) * xyz(lookUp(SCENE record.baseColorTexture, at));
+    const vec4 metallicRoughness = lookUp(SCENE record.metallicRoughnessTexture, at);
+    material.metallic = record.metallic * metallicRoughness.z;
+    material.roughness = record.roughness * metallicRoughness.y;
+    material.ior = ior;
+    material.flags = record.flags & (kSurfaceVolume | kSurfaceSingleScatter);
+    material.specularColor = vec3(1.0f);
+    material.specular = 1.0f;
+    if (hasFeature(SCENE kFeatureSpecular)) {
+        material.specularColor = record.specularColor * xyz(lookUp(SCENE record.specularColorTexture, at));
+        material.specular = record.specular * lookUp(SCENE record.specularTexture, at).w;
+    }
+    material.sheenColor = vec3(0.0f);
+    material.sheenRoughness = 0.0f;
+    if (hasFeature(SCENE kFeatureSheen)) {
+        material.sheenColor = record.sheenColor * xyz(lookUp(SCENE record.sheenColorTexture, at));
+        material.sheenRoughness = record.sheenRoughness * lookUp(SCENE record.sheenRoughnessTexture, at).w;
+    }
+    material.diffuseTransmissionColor = vec3(1.0f);
+    material.diffuseTransmission = 0.0f;
+    if (hasFeature(SCENE kFeatureDiffuseTransmission)) {
+        material.diffuseTransmissionColor =
+            record.diffuseTransmissionColor * xyz(lookUp(SCENE record.diffuseTransmissionColorTexture, at));
+        material.diffuseTransmission =
+            record.diffuseTransmission * lookUp(SCENE record.diffuseTransmissionTexture, at).w;
+    }
+    material.transmission = 0.0f;
+    if (hasFeature(SCENE kFeatureTransmission)) {
+        material.transmission = record.transmission * lookUp(SCENE record.transmissionTexture, at).x;
+    }
+    material.anisotropy = 0.0f;
+    if (hasFeature(SCENE kFeatureAnisotropy)) {
+        material.anisotropy = record.anisotropy * lookUp(SCENE record.anisotropyTexture, at).z;
+    }
+    material.coat = 0.0f;
+    material.coatRoughness = 0.0f;
+    if (hasFeature(SCENE kFeatureCoat)) {
+        material.coat = record.coat * lookUp(SCENE record.coatTexture, at).x;
+        material.coatRoughness = record.coatRoughness * lookUp(SCENE record.coatRoughnessTexture, at).y;
+    }
+    material.iridescence = 0.0f;
+    material.iridescenceIor = 1.3f;
+    material.iridescenceThickness = 0.0f;
+    if (hasFeature(SCENE kFeatureIridescence)) {
+        const float thickness = lookUp(SCENE record.iridescenceThicknessTexture, at).y;
+        material.iridescence = record.iridescence * lookUp(SCENE record.iridescenceTexture, at).x;
+        material.iridescenceIor = record.iridescenceIor;
+        material.iridescenceThickness =
+            blend(record.iridescenceThicknessMinimum, record.iridescenceThicknessMaximum, thickness);
+    }
+    material.padding0 = 0u;
+    material.padding1 = 0u;
+    return material;
+}
+
+// A normal of the tangent space, from a texel, in world space; `normal` where there is no texture.
+SHARED_FN vec3 mappedNormal(SCENE_PARAMETER const uint textureId, const float scale, const TexturePoint at,
+                            const vec3 normal, const vec4 tangent) {
+    const vec3 texel = xyz(lookUp(SCENE textureId, at)) * 2.0f - vec3(1.0f);
+    const vec3 bitangent = crossProduct(normal, xyz(tangent)) * tangent.w;
+    const vec3 mapped = xyz(tangent) * (texel.x * scale) + bitangent * (texel.y * scale) + normal * texel.z;
+    const float size = dotProduct(mapped, mapped);
+    return textureId == kNoTextureRecord || !(size > 0.0f) ? normal : unitVector(mapped);
+}
+
+// The directions of the surface at the hit; `wo` of unit length, away from it.
+SHARED_FN SurfaceFrame surfaceFrame(SCENE_PARAMETER const MaterialRecord record, const Surface surface,
+                                    const vec3 weights, const TexturePoint at, const vec3 geometricNormal,
+                                    const vec3 wo) {
+    const vec3 n0 = loadVertexNormal(SCENE surface.vertex0);
+    const vec3 n1 = loadVertexNormal(SCENE surface.vertex1);
+    const vec3 n2 = loadVertexNormal(SCENE surface.vertex2);
+    const vec3 mixed = n0 * weights.x + n1 * weights.y + n2 * weights.z;
+    const float size = dotProduct(mixed, mixed);
+    const vec3 smoothNormal = size > 1e-12f ? unitVector(mixed) : geometricNormal;
+    vec3 normal = smoothNormal;
+    vec3 coatNormal = smoothNormal;
+    vec3 along = vec3(0.0f);
+    if (hasFeature(SCENE kFeatureNormalMaps | kFeatureAnisotropy)) {
+        const vec4 tangent = loadTangent(SCENE surface.vertex0) * weights.x +
+                             loadTangent(SCENE surface.vertex1) * weights.y +
+                             loadTangent(SCENE surface.vertex2) * weights.z;
+        const float length = dotProduct(xyz(tangent), xyz(tangent));
+        const Basis any = basisAround(smoothNormal);
+        const vec3 unit = length > 1e-12f ? unitVector(xyz(tangent)) : any.tangent;
+        const vec4 oriented = vec4(unit.x, unit.y, unit.z, tangent.w < 0.0f ? -1.0f : 1.0f);
+        normal = mappedNormal(SCENE record.normalTexture, record.normalScale, at, smoothNormal, oriented);
+        if (hasFeature(SCENE kFeatureCoat)) {
+            coatNormal = mappedNormal(SCENE record.coatNormalTexture, record.coatNormalScale, at,
+                                      smoothNormal, oriented);
+        }
+        if (hasFeature(SCENE kFeatureAnisotropy)) {
+            const vec3 texel = xyz(lookUp(SCENE record.anisotropyTexture, at)) * 2.0f - vec3(1.0f);
+            const bool isMapped = record.anisotropyTexture != kNoTextureRecord;
+            const float x = isMapped ? texel.x : 1.0f;
+            const float y = isMapped ? texel.y : 0.0f;
+            const float turnedX = record.anisotropyCosine * x - record.anisotropySine * y;
+            const float turnedY = record.anisotropySine * x + record.anisotropyCosine * y;
+            along = unit * turnedX + crossProduct(smoothNormal, unit) * (oriented.w * turnedY);
+        }
+    }
+    return makeSurfaceFrame(geometricNormal, normal, coatNormal, along, wo);
+}
+
+SHARED_END
+#endif

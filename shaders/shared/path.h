@@ -1,0 +1,237 @@
+// The path tracer: a path from the camera, one surface at a time, with next-event estimation.
+//
+// Light is found in two ways, by sampling lights and by sampling the BSDF, weighted against each other: E.
+// Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995. The kernel and
+// the CPU trace the rays; everything else of the estimator is here.
+#ifndef METAMARCH_SHARED_PATH_H
+#define METAMARCH_SHARED_PATH_H
+#include "shared/bsdf.h"
+#include "shared/camera.h"
+#include "shared/scene_light.h"
+#include "shared/sobol.h"
+
+SHARED_BEGIN
+
+// In place of a density: no other way finds this direction.
+const float kCertain = 1.0e30f;
+// Before this bounce paths are not ended by chance: it would cost more noise than it saves time.
+const uint kFirstRoulette = 2u;
+const float kLeastSurvival = 0.05f;
+
+struct Path {
+    vec3 origin;
+    float pdf;   // of dir, by the BSDF; kCertain from the camera and from deltas
+    vec3 dir;    // of unit length
+    uint bounce; // surfaces met so far
+    vec3 throughput;
+    float radianceScale; // contained in throughput: see BsdfSample
+    vec3 radiance;
+    uint channel;    // that a dispersive volume has chosen; kNoChannel: none yet
+    vec3 absorption; // of the volume that the path is in, per world unit
+    bool isAlive;
+};
+const uint kNoChannel = 3u;
+
+// A ray to a light, and what the path gains where nothing is in its way.
+struct ShadowRay {
+    vec3 origin;
+    float tMax;
+    vec3 dir; // to the light where tMax is 1, else of unit length
+    bool isNeeded;
+    vec3 gain;
+};
+
+// What the camera sees at the end of its ray, for the pictures beside the beauty.
+struct FirstHit {
+    vec3 albedo;
+    float t;     // kFarthest: nothing
+    vec3 normal; // geometric
+    uint triangleId;
+    vec3 shadingNormal;
+    float depth; // along the view axis
+};
+
+struct PathStep {
+    Path path;
+    ShadowRay shadow;
+    vec3 albedo;
+    vec3 normal;
+    vec3 shadingNormal;
+};
+
+SHARED_FN Path startPath(const vec3 origin, const vec3 dir) {
+    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, vec3(0.0f), true);
+}
+
+// The path of one sample of the pixel.
+SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const PixelSample at) {
+    const CameraRay view =
+        sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
+    return startPath(view.origin, view.dir);
+}
+
+SHARED_FN FirstHit missFirst() {
+    return FirstHit(vec3(0.0f), kFarthest, vec3(0.0f), kNoTriangle, vec3(0.0f), kFarthest);
+}
+
+// The weight of light that the BSDF's direction found with density `own` and light sampling finds with
+// density `other`, 0 for never.
+SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other) {
+    const bool isOnlyWay = other == 0.0f || own >= kCertain;
+    const bool byLights = (settings.strategies & kSampleLights) != 0u;
+    const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
+    return isOnlyWay || !byLights ? 1.0f : byBsdf ? powerHeuristic(own, other) : 0.0f;
+}
+
+// The same for light sampling; `own` is 0 for lights that rays do not hit.
+SHARED_FN float sampledWeight(const PathSettings settings, const float own, const float other) {
+    const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
+    return own == 0.0f || !byBsdf ? 1.0f : powerHeuristic(own, other);
+}
+
+// --clamp: what one way to a light adds, unless the camera sees the light itself.
+SHARED_FN vec3 clampedGain(const PathSettings settings, const vec3 gain) {
+    const float brightness = luminance(gain);
+    const bool isOver = settings.clampLuminance > 0.0f && brightness > settings.clampLuminance;
+    return isOver ? gain * (settings.clampLuminance / brightness) : gain;
+}
+
+// Whether the triangle that was hit is there for this path: of blended ones a part by chance.
+SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle, const PixelSample at,
+                       const uint dimension) {
+    const Surface surface = loadSurface(SCENE triangle.triangleId);
+    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
+    const float part = coverage(SCENE record, surface, weights, texturePoint(SCENE surface, weights));
+    return part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part;
+}
+
+// The path meets nothing any more.
+SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Path path) {
+    const EnvironmentLight light = environmentLight(SCENE settings, path.dir);
+    vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf);
+    if (hasFeature(SCENE kFeatureLights) && settings.sunIndex != kNoSun) {
+        const LightRecord sun = loadLight(SCENE settings.sunIndex);
+        const float probability = loadLightEntry(SCENE settings.emitterCount + settings.sunIndex).probability;
+        const float density = probability / (kTwoPi * sun.scale);
+        gain =
+            gain + sun.strength * (hitsDisc(sun, path.dir) ? foundWeight(settings, path.pdf, density) : 0.0f);
+    }
+    Path ended = path;
+    const vec3 whole = path.throughput * gain;
+    ended.radiance = path.radiance + (path.bounce > 0u ? clampedGain(settings, whole) : whole);
+    ended.isAlive = false;
+    return ended;
+}
+
+// The colour of the refraction that a path takes through a dispersive volume.
+SHARED_FN Path chooseChannel(const Path path, const MaterialRecord record, const PixelSample at) {
+    Path chosen = path;
+    if (hasFeature(kFeatureDispersion) && record.dispersion > 0.0f && path.channel == kNoChannel) {
+        const float u = sample1d(at, bounceDimension(path.bounce, kBounceChannel));
+        chosen.channel = min(uint(u * 3.0f), 2u);
+        chosen.throughput = path.throughput * channelMask(chosen.channel);
+    }
+    return chosen;
+}
+
+SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, const Path path,
+                                 const Bsdf bsdf, const SurfacePoint point, const PixelSample at) {
+    const SceneLightSample light = sampleSceneLight(
+        SCENE settings, point.position, sample1d(at, bounceDimension(path.bounce, kBounceLight)),
+        sample2d(at, bounceDimension(path.bounce, kBounceLightPoint)));
+    const BsdfValue found = evalBsdf(bsdf, light.wi);
+    const float weight = sampledWeight(settings, light.pdf, found.pdf);
+    const vec3 gain = clampedGain(settings, path.throughput * found.value * light.arriving * weight);
+    const vec3 origin = offsetPoint(point, light.wi);
+    const vec3 dir = light.isFar ? light.wi : light.end - origin;
+    const bool isNeeded =
+        !bsdf.isDelta && largest(gain) > 0.0f && (settings.strategies & kSampleLights) != 0u;
+    return ShadowRay(origin, light.isFar ? kFarthest : 1.0f, dir, isNeeded, gain);
+}
+
+SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f)); }
+
+// The path after the surface, in the direction that the BSDF draws.
+SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf bsdf,
+                       const SurfacePoint point, const PixelSample at) {
+    const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
+                                        sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
+    const float radianceScale = path.radianceScale * drawn.radianceScale;
+    vec3 throughput = path.throughput * drawn.weight;
+
+    // Russian roulette. The radiance scale is no loss: what leaves the glass gets it back.
+    const float kept = largest(throughput) / radianceScale;
+    const bool isRisked = path.bounce >= kFirstRoulette;
+    const float survival = isRisked ? min(max(kept, kLeastSurvival), 1.0f) : 1.0f;
+    const bool survives = !isRisked || sample1d(at, bounceDimension(path.bounce, kBounceRoulette)) < survival;
+    throughput = throughput / survival;
+
+    Path next = path;
+    next.origin = offsetPoint(point, drawn.wi);
+    next.dir = drawn.wi;
+    next.pdf = (drawn.flags & kSampleDelta) != 0u ? kCertain : drawn.pdf;
+    next.throughput = throughput;
+    next.radianceScale = radianceScale;
+    next.bounce = path.bounce + 1u;
+    next.isAlive = kept > 0.0f && survives;
+    if (hasFeature(kFeatureVolume)) {
+        const bool isCrossed =
+            (drawn.flags & kSampleTransmitted) != 0u && (record.flags & kSurfaceVolume) != 0u;
+        const vec3 behind = bsdf.frame.isBack != 0u ? vec3(0.0f) : record.absorption;
+        next.absorption = isCrossed ? behind : path.absorption;
+    }
+    return next;
+}
+
+// The path meets `triangle` at distance `t`, which `ray`, made of it, has hit.
+SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, const Path arriving,
+                               const Ray ray, const float t, const TriangleRecord triangle,
+                               const PixelSample at) {
+    const Surface surface = loadSurface(SCENE triangle.triangleId);
+    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
+    const SurfacePoint point = makeSurfacePoint(triangle, weights);
+    const TexturePoint uv = texturePoint(SCENE surface, weights);
+    const vec3 wo = -arriving.dir;
+
+    Path path = chooseChannel(arriving, record, at);
+    if (hasFeature(SCENE kFeatureVolume)) {
+        const vec3 depth = path.absorption * t;
+        path.throughput =
+            path.throughput * vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
+    }
+    const float ior = hasFeature(SCENE kFeatureDispersion) && path.channel != kNoChannel
+                          ? dispersedIor(record.ior, record.dispersion, path.channel)
+                          : record.ior;
+    const SurfaceFrame frame = surfaceFrame(SCENE record, surface, weights, uv, point.normal, wo);
+    const SurfaceMaterial material =
+        surfaceMaterial(SCENE record, vertexColor(SCENE surface, weights), uv, ior);
+    const Bsdf bsdf = makeBsdf(material, frame, wo);
+
+    const bool isUnlit = hasFeature(SCENE kFeatureUnlit) && (record.flags & kMaterialUnlit) != 0u;
+    vec3 gain = vec3(0.0f);
+    if (hasFeature(SCENE kFeatureEmission)) {
+        const float cosine = dotProduct(point.normal, wo);
+        const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
+        const float density = solidAngleDensity(record.emissionDensity, t * t, cosine);
+        const vec3 emitted = record.emission * xyz(lookUp(SCENE record.emissionTexture, uv));
+        gain = emitted * (isShown ? bsdf.emissionScale * foundWeight(settings, path.pdf, density) : 0.0f);
+    }
+    const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
+    path.radiance = path.radiance + (path.bounce > 0u ? clampedGain(settings, shown) : shown);
+
+    const bool isLast = isUnlit || path.bounce > settings.maxBounces;
+    ShadowRay shadow = noShadow();
+    if (hasFeature(SCENE kFeatureLights)) {
+        shadow = sampleLights(SCENE settings, path, bsdf, point, at);
+        shadow.isNeeded = shadow.isNeeded && !isLast;
+    }
+    Path next = scatter(path, record, bsdf, point, at);
+    next.isAlive = next.isAlive && !isLast;
+    const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
+    return PathStep(next, shadow, albedo, point.normal, frame.normal);
+}
+
+SHARED_END
+#endif

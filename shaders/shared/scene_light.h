@@ -1,0 +1,158 @@
+// The light of a scene: emitters, punctual lights and the environment, drawn from one table.
+#ifndef METAMARCH_SHARED_SCENE_LIGHT_H
+#define METAMARCH_SHARED_SCENE_LIGHT_H
+#include "shared/environment_map.h"
+#include "shared/hit_point.h"
+#include "shared/light.h"
+#include "shared/material.h"
+#include "shared/path_settings.h"
+
+SHARED_BEGIN
+
+// Between the scene's axes and the map's, which is turned around y, right-handed: +z goes towards +x.
+SHARED_FN vec3 turnedFromMap(const PathSettings settings, const vec3 direction) {
+    return vec3(direction.x * settings.environmentCosine + direction.z * settings.environmentSine,
+                direction.y,
+                direction.z * settings.environmentCosine - direction.x * settings.environmentSine);
+}
+
+SHARED_FN vec3 turnedToMap(const PathSettings settings, const vec3 direction) {
+    return vec3(direction.x * settings.environmentCosine - direction.z * settings.environmentSine,
+                direction.y,
+                direction.z * settings.environmentCosine + direction.x * settings.environmentSine);
+}
+
+// Bilinear; around in u, ending at the poles in v.
+SHARED_FN vec3 environmentAt(SCENE_PARAMETER const PathSettings settings, const vec2 point) {
+    const uint width = settings.environmentWidth;
+    const uint height = settings.environmentHeight;
+    const float x = point.x * float(width) - 0.5f;
+    const float y = point.y * float(height) - 0.5f;
+    const float left = floor(x);
+    const float top = floor(y);
+    const float right = x - left;
+    const float down = y - top;
+    const uint x0 = uint(wrapped(int(left), int(width), kWrapRepeat));
+    const uint x1 = uint(wrapped(int(left) + 1, int(width), kWrapRepeat));
+    const uint y0 = uint(wrapped(int(top), int(height), kWrapClamp)) * width;
+    const uint y1 = uint(wrapped(int(top) + 1, int(height), kWrapClamp)) * width;
+    const vec3 upper =
+        loadEnvironment(SCENE y0 + x0) * (1.0f - right) + loadEnvironment(SCENE y0 + x1) * right;
+    const vec3 lower =
+        loadEnvironment(SCENE y1 + x0) * (1.0f - right) + loadEnvironment(SCENE y1 + x1) * right;
+    return upper * (1.0f - down) + lower * down;
+}
+
+struct EnvironmentLight {
+    vec3 radiance;
+    float pdf; // of sampleSceneLight, per solid angle
+};
+
+// What comes from `direction`, of unit length, where nothing is in the way.
+SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings settings,
+                                            const vec3 direction) {
+    if (!hasFeature(SCENE kFeatureEnvironment)) {
+        return EnvironmentLight(settings.background, 0.0f);
+    }
+    const vec3 inMap = turnedToMap(settings, direction);
+    const vec2 point = mapPoint(inMap);
+    const vec3 radiance = environmentAt(SCENE settings, point) * settings.environmentScale;
+    float pdf = 0.0f;
+    if (hasFeature(SCENE kFeatureLights)) {
+        const uint column =
+            min(uint(point.x * float(settings.environmentWidth)), settings.environmentWidth - 1u);
+        const uint row =
+            min(uint(point.y * float(settings.environmentHeight)), settings.environmentHeight - 1u);
+        const AliasEntry rowEntry = loadEnvironmentRow(SCENE row);
+        const AliasEntry columnEntry = loadEnvironmentColumn(SCENE row * settings.environmentWidth + column);
+        pdf = settings.environmentProbability * mapDensity(rowEntry.probability, columnEntry.probability,
+                                                           settings.environmentWidth,
+                                                           settings.environmentHeight, mapSine(inMap));
+    }
+    return EnvironmentLight(radiance, pdf);
+}
+
+SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings settings, const vec2 u) {
+    const AliasSlot rowSlot = aliasSlot(u.y, settings.environmentHeight);
+    const AliasChoice row = chooseAlias(loadEnvironmentRow(SCENE rowSlot.index), rowSlot);
+    const AliasSlot columnSlot = aliasSlot(u.x, settings.environmentWidth);
+    const uint firstColumn = row.index * settings.environmentWidth;
+    const AliasChoice column =
+        chooseAlias(loadEnvironmentColumn(SCENE firstColumn + columnSlot.index), columnSlot);
+    const float rowProbability = loadEnvironmentRow(SCENE row.index).probability;
+    const float columnProbability = loadEnvironmentColumn(SCENE firstColumn + column.index).probability;
+
+    const vec2 point = mapPointIn(row, column, settings.environmentWidth, settings.environmentHeight);
+    const vec3 inMap = mapDirection(point);
+    const float density = mapDensity(rowProbability, columnProbability, settings.environmentWidth,
+                                     settings.environmentHeight, mapSine(inMap));
+    const vec3 radiance = environmentAt(SCENE settings, point) * settings.environmentScale;
+    const vec3 arriving = density > 0.0f ? radiance / density : vec3(0.0f);
+    return LightSample(turnedFromMap(settings, inMap), kFarLight, arriving, density);
+}
+
+// A sample of the light that reaches a point: where the shadow ray goes and what it brings if it gets there.
+struct SceneLightSample {
+    vec3 wi;  // of unit length
+    vec3 end; // of the shadow ray; counts where it is not far
+    bool isFar;
+    vec3 arriving; // over the probability of this sample
+    float pdf;     // per solid angle; 0: only light sampling finds it
+};
+
+// The light that an emitter sends from one of its points, before visibility.
+SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, const vec3 point,
+                                         const vec2 u) {
+    const vec3 weights = sampleTriangle(u);
+    const TriangleRecord triangle =
+        TriangleRecord(emitter.v0, emitter.triangleId, emitter.v1, 0u, emitter.v2, 0u);
+    const SurfacePoint light = makeSurfacePoint(triangle, weights);
+    const vec3 towards = light.position - point;
+    const float squaredDistance = dotProduct(towards, towards);
+    const vec3 wi = squaredDistance > 0.0f ? unitVector(towards) : light.normal;
+    const float cosine = -dotProduct(wi, light.normal);
+
+    const MaterialRecord material = loadMaterial(SCENE emitter.material);
+    vec3 radiance = material.emission;
+    if (hasFeature(SCENE kFeatureTextures | kFeatureAlpha)) {
+        const Surface surface = loadSurface(SCENE emitter.triangleId);
+        const TexturePoint at = texturePoint(SCENE surface, weights);
+        const vec4 texel = lookUp(SCENE material.emissionTexture, at);
+        radiance =
+            radiance * vec3(texel.x, texel.y, texel.z) * coverage(SCENE material, surface, weights, at);
+    }
+    const bool isSeen = cosine > 0.0f || (material.flags & kMaterialDoubleSided) != 0u;
+    const float pdf = solidAngleDensity(material.emissionDensity, squaredDistance, cosine);
+    const vec3 arriving = isSeen && pdf > 0.0f ? radiance / pdf : vec3(0.0f);
+    return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf);
+}
+
+SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings, const vec3 point,
+                                            const float uLight, const vec2 uPoint) {
+    const AliasSlot slot = aliasSlot(uLight, settings.lightCount);
+    const AliasEntry entry = loadLightEntry(SCENE slot.index);
+    const AliasChoice choice = chooseAlias(entry, slot);
+    const uint firstPunctual = settings.emitterCount;
+    const uint environment = settings.emitterCount + settings.punctualCount;
+    SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f);
+    if (hasFeature(SCENE kFeatureEmission) && choice.index < firstPunctual) {
+        result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), point, uPoint);
+    }
+    if (settings.punctualCount > 0u && choice.index >= firstPunctual && choice.index < environment) {
+        const float probability = loadLightEntry(SCENE choice.index).probability;
+        const LightSample light = sampleLight(loadLight(SCENE choice.index - firstPunctual), point, uPoint);
+        const bool isFar = light.distance == kFarLight;
+        result = SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
+                                  light.arriving / probability, light.pdf * probability);
+    }
+    if (hasFeature(SCENE kFeatureEnvironment) && choice.index == environment) {
+        const LightSample light = sampleEnvironment(SCENE settings, uPoint);
+        const float probability = settings.environmentProbability;
+        result =
+            SceneLightSample(light.wi, point, true, light.arriving / probability, light.pdf * probability);
+    }
+    return result;
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,180 @@
+// What shading reads of a scene, as both sides see it: surfaces, materials, textures, lights.
+#ifndef METAMARCH_SHARED_SHADING_LAYOUT_H
+#define METAMARCH_SHARED_SHADING_LAYOUT_H
+#include "shared/interop.h"
+
+// The estimator is written once and reads the scene through functions named load…: in GLSL they read the
+// bound buffers (lib/shading.glsl), in C++ a ShadingScene that is handed on as the first argument.
+#ifdef __cplusplus
+#define SCENE_PARAMETER const ShadingScene &scene,
+#define SCENE scene,
+#else
+#define SCENE_PARAMETER
+#define SCENE
+#endif
+
+SHARED_BEGIN
+
+// Binding numbers (set 0) beside those of scene_layout.h.
+const uint kBindSurfaces = 30u;
+const uint kBindVertices = 31u;
+const uint kBindColors = 32u;
+const uint kBindTangents = 33u;
+const uint kBindMaterialRecords = 34u;
+const uint kBindTextures = 35u;
+const uint kBindEmitters = 36u;
+const uint kBindLights = 37u;
+const uint kBindLightTable = 38u;
+const uint kBindEnvironment = 39u;
+const uint kBindEnvironmentRows = 40u;
+const uint kBindEnvironmentColumns = 41u;
+const uint kBindTexels = 42u; // the first of kTexelChunks bindings
+
+// Texels are the second large array of a scene, cut as the triangle records are. No image crosses a cut.
+const uint kTexelChunks = 4u;
+
+const uint kSpecFeatures = 3u; // specialization constant: bits of features.h
+
+// What a triangle is beside its corners: indices into the vertex arrays and the materials.
+struct Surface {
+    uint vertex0;
+    uint vertex1;
+    uint vertex2;
+    uint material;
+};
+
+struct Vertex {
+    vec3 normal; // zero: the triangle's own counts
+    float u0;    // texture coordinates, two sets
+    float v0;
+    float u1;
+    float v1;
+    uint padding;
+};
+
+const uint kNoTextureRecord = 0xffffffffu;
+
+// MaterialRecord::flags, beside those of SurfaceMaterial.
+const uint kMaterialDoubleSided = 4u; // emits to both sides
+const uint kMaterialUnlit = 8u;
+const uint kMaterialMask = 16u;
+const uint kMaterialBlend = 32u;
+
+// Factors and textures of a Material (src/scene/material.h), in rows of four words. Textures are indices of
+// TextureRecords or kNoTextureRecord. Only rows whose feature a scene has are read.
+struct MaterialRecord {
+    vec3 baseColor;
+    float alpha;
+    vec3 emission;         // radiance
+    float emissionDensity; // of light sampling, per area of emitter; 0: it does not know this material
+    float metallic;
+    float roughness;
+    float ior;
+    uint flags;
+    uint baseColorTexture;
+    uint metallicRoughnessTexture;
+    uint normalTexture;
+    uint emissionTexture;
+
+    float normalScale;
+    float alphaCutoff;
+    float transmission;
+    float dispersion;
+    vec3 absorption; // per world unit, inside a volume
+    uint transmissionTexture;
+    vec3 specularColor;
+    float specular;
+    vec3 sheenColor;
+    float sheenRoughness;
+    vec3 diffuseTransmissionColor;
+    float diffuseTransmission;
+    float coat;
+    float coatRoughness;
+    float coatNormalScale;
+    float anisotropy;
+    float iridescence;
+    float iridescenceIor;
+    float iridescenceThicknessMinimum; // nanometres
+    float iridescenceThicknessMaximum;
+    float anisotropyCosine; // of the rotation
+    float anisotropySine;
+    uint diffuseTransmissionTexture;
+    uint diffuseTransmissionColorTexture;
+    uint specularTexture;
+    uint specularColorTexture;
+    uint sheenColorTexture;
+    uint sheenRoughnessTexture;
+    uint coatTexture;
+    uint coatRoughnessTexture;
+    uint coatNormalTexture;
+    uint anisotropyTexture;
+    uint iridescenceTexture;
+    uint iridescenceThicknessTexture;
+    uint padding0;
+    uint padding1;
+};
+const uint kMaterialRows = 15u;
+
+// TextureRecord::flags.
+const uint kTextureWrapMask = 3u; // of s in bits 0 and 1, of t in bits 2 and 3
+const uint kTextureWrapTShift = 2u;
+const uint kWrapRepeat = 0u;
+const uint kWrapMirror = 1u;
+const uint kWrapClamp = 2u;
+const uint kTextureNearest = 16u;
+const uint kTextureSrgb = 32u;
+const uint kTextureDeep = 64u;       // two words a texel, of halves; else one, of bytes
+const uint kTextureSecondSet = 128u; // of texture coordinates
+const uint kTextureChunkShift = 8u;
+
+// One use of a texture by a material.
+struct TextureRecord {
+    uint firstWord; // in its chunk
+    uint width;
+    uint height;
+    uint flags;
+    vec3 rowU; // of KHR_texture_transform: dot(rowU, (u, v, 1))
+    uint padding0;
+    vec3 rowV;
+    uint padding1;
+};
+
+// A triangle that light sampling knows.
+struct Emitter {
+    vec3 v0;
+    uint triangleId;
+    vec3 v1;
+    uint material;
+    vec3 v2;
+    uint padding;
+};
+
+SHARED_ASSERT_SIZE(Surface, 16)
+SHARED_ASSERT_OFFSET(Surface, material, 12)
+SHARED_ASSERT_SIZE(Vertex, 32)
+SHARED_ASSERT_OFFSET(Vertex, u0, 12)
+SHARED_ASSERT_OFFSET(Vertex, v0, 16)
+SHARED_ASSERT_SIZE(MaterialRecord, 240)
+SHARED_ASSERT_OFFSET(MaterialRecord, emission, 16)
+SHARED_ASSERT_OFFSET(MaterialRecord, metallic, 32)
+SHARED_ASSERT_OFFSET(MaterialRecord, baseColorTexture, 48)
+SHARED_ASSERT_OFFSET(MaterialRecord, normalScale, 64)
+SHARED_ASSERT_OFFSET(MaterialRecord, absorption, 80)
+SHARED_ASSERT_OFFSET(MaterialRecord, specularColor, 96)
+SHARED_ASSERT_OFFSET(MaterialRecord, sheenColor, 112)
+SHARED_ASSERT_OFFSET(MaterialRecord, diffuseTransmissionColor, 128)
+SHARED_ASSERT_OFFSET(MaterialRecord, coat, 144)
+SHARED_ASSERT_OFFSET(MaterialRecord, iridescence, 160)
+SHARED_ASSERT_OFFSET(MaterialRecord, anisotropyCosine, 176)
+SHARED_ASSERT_OFFSET(MaterialRecord, specularTexture, 192)
+SHARED_ASSERT_OFFSET(MaterialRecord, coatTexture, 208)
+SHARED_ASSERT_OFFSET(MaterialRecord, iridescenceTexture, 224)
+SHARED_ASSERT_SIZE(TextureRecord, 48)
+SHARED_ASSERT_OFFSET(TextureRecord, rowU, 16)
+SHARED_ASSERT_OFFSET(TextureRecord, rowV, 32)
+SHARED_ASSERT_SIZE(Emitter, 48)
+SHARED_ASSERT_OFFSET(Emitter, v1, 16)
+SHARED_ASSERT_OFFSET(Emitter, v2, 32)
+
+SHARED_END
+#endif

@@ -1,0 +1,102 @@
+#include "reference/path.h"
+
+#include "reference/trace.h"
+
+#include <tbb/parallel_for.h>
+
+namespace metamarch {
+namespace {
+
+struct Render {
+    const AccelerationStructure& structure;
+    const ShadingScene& scene;
+    const PathSettings& settings;
+    const Camera& camera;
+};
+
+// The closest triangle that is there for this path, or any.
+TraceResult traceSolid(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
+                       const uint dimension) {
+    if (!hasFeature(render.scene, kFeatureAlpha)) {
+        return traceKdStack(render.structure, given, query);
+    }
+    Ray ray = given;
+    TraceResult result;
+    while (true) {
+        TraceResult next = traceKdStack(render.structure, ray, HitQuery::closest);
+        next.steps += result.steps;
+        next.tests += result.tests;
+        result = next;
+        if (result.hit.triangleId == kNoTriangle ||
+            isThere(render.scene, ray, render.structure.triangles[result.slot], at, dimension)) {
+            return result;
+        }
+        ray.tMin = result.hit.t;
+    }
+}
+
+void count(FilmPixel& sum, const TraceResult& trace) {
+    sum.steps += static_cast<float>(trace.steps);
+    sum.tests += static_cast<float>(trace.tests);
+}
+
+// Takes one sample of the pixel; kernels/path.glsl has the same loop.
+void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum) {
+    const PixelSample at = makePixelSample(x, y, sum.samples, render.settings.seed);
+    Path path = cameraPath(render.camera, x, y, at);
+    FirstHit first = missFirst();
+    while (path.isAlive) {
+        const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
+        const TraceResult trace =
+            traceSolid(render, ray, HitQuery::closest, at, bounceDimension(path.bounce, kBounceAlpha));
+        count(sum, trace);
+        ++sum.rays;
+        if (trace.hit.triangleId == kNoTriangle) {
+            path = leaveScene(render.scene, render.settings, path);
+            break;
+        }
+        const TriangleRecord& triangle = render.structure.triangles[trace.slot];
+        const float t = ray.shift + trace.hit.t;
+        const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, at);
+        if (path.bounce == 0) {
+            first = {step.albedo,        t,
+                     step.normal,        trace.hit.triangleId,
+                     step.shadingNormal, t * dotProduct(path.dir, render.camera.forward)};
+        }
+        const uint lightAlpha = bounceDimension(path.bounce, kBounceLightAlpha);
+        path = step.path;
+        if (step.shadow.isNeeded) {
+            const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
+                                        step.shadow.tMax);
+            const TraceResult blocker = traceSolid(render, toLight, HitQuery::any, at, lightAlpha);
+            count(sum, blocker);
+            ++sum.shadowRays;
+            if (blocker.hit.triangleId == kNoTriangle) {
+                path.radiance += step.shadow.gain;
+            }
+        }
+    }
+    sum = addSample(sum, path.radiance, first);
+}
+
+} // namespace
+
+std::vector<FilmPixel> renderPaths(const AccelerationStructure& structure, const ShadingScene& scene,
+                                   const PathSettings& settings, const Camera& camera,
+                                   const std::uint32_t samples,
+                                   const std::function<void(unsigned rows)>& onRows) {
+    std::vector<FilmPixel> film(std::size_t{camera.width} * camera.height, emptyPixel());
+    const Render render{structure, scene, settings, camera};
+    tbb::parallel_for(0u, camera.height, [&](const uint y) {
+        for (uint x = 0; x < camera.width; ++x) {
+            FilmPixel& pixel = film[std::size_t{y} * camera.width + x];
+            while (pixel.samples < samples) {
+                takeSample(render, x, y, pixel);
+            }
+        }
+        onRows(1);
+    });
+    return film;
+}
+
+} // namespace metamarch

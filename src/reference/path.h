@@ -1,0 +1,18 @@
+// The path tracer on the CPU, over the stack traversal: the judge of shaders/kernels/path.glsl.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "scene/shading_scene.h"
+#include "shared/film.h"
+
+#include <functional>
+#include <vector>
+
+namespace metamarch {
+
+// `samples` samples of each of camera.width * camera.height pixels, in rows from the top. Multi-threaded;
+// `onRows` is told of finished rows, from any thread.
+std::vector<FilmPixel> renderPaths(const AccelerationStructure& structure, const ShadingScene& scene,
+                                   const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                                   const std::function<void(unsigned rows)>& onRows);
+
+} // namespace metamarch
