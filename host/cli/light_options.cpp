@@ -1,13 +1,13 @@
 #include "cli/light_options.h"
 
 #include "cli/number_list.h"
+#include "cli/warnings.h"
 #include "error.h"
 #include "scene/sky.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace metamarch::cli {
@@ -55,7 +55,7 @@ void LightOptions::check() const {
     }
 }
 
-Surroundings LightOptions::load(const bool sceneHasLight) const {
+Surroundings LightOptions::load(const std::string& scenePath, const bool sceneHasLight) const {
     Surroundings result;
     result.rotation = static_cast<float>(std::fmod(rotation, 360.0) * std::numbers::pi / 180.0);
     result.intensity = static_cast<float>(intensity.value_or(1.0));
@@ -65,7 +65,7 @@ Surroundings LightOptions::load(const bool sceneHasLight) const {
         result.environment = loadEnvironment(environment);
     } else if (sky || !sun.empty() || !sceneHasLight) {
         if (!sky && sun.empty()) {
-            fmt::print(stderr, "metamarch: the scene has no light; it gets the clear sky of --sky\n");
+            printWarning(fmt::format("{}: no light; it gets the clear sky of --sky", scenePath));
         }
         SkySettings settings;
         if (!sun.empty()) {

@@ -17,8 +17,8 @@ class LightOptions {
     void check() const;
 
     // Reads the map or makes the sky. `sceneHasLight`: else a scene that is given no light gets the default
-    // sky, and stderr says so. Throws what loadEnvironment throws.
-    Surroundings load(bool sceneHasLight) const;
+    // sky, with a warning. Throws what loadEnvironment throws.
+    Surroundings load(const std::string& scenePath, bool sceneHasLight) const;
 
   private:
     std::string environment;

@@ -2,6 +2,7 @@
 
 #include "cli/progress.h"
 #include "cli/stopwatch.h"
+#include "cli/warnings.h"
 #include "image/film_image.h"
 #include "reference/path.h"
 #include "render/path_renderer.h"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -81,7 +81,7 @@ Rendering renderPaths(const RenderJob& job, const ShadingScene& shading, const P
         rejected += pixel.rejected;
     }
     if (rejected > 0) {
-        fmt::print(stderr, "metamarch: {} samples were not finite and are left out\n", rejected);
+        printWarning(fmt::format("{} samples were not finite and are left out", rejected));
     }
     const double seconds = result.stats["seconds"]["render"].get<double>();
     const double taken = static_cast<double>(film.size()) * samples;

@@ -140,7 +140,7 @@ Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
     Surroundings surroundings;
     surroundings.background = glm::vec3(1.0f);
     if (!isOcclusion) {
-        surroundings = options.light.load(hasLight(job.scene));
+        surroundings = options.light.load(options.scenePath, hasLight(job.scene));
     }
     const ShadingScene shading =
         makeShadingScene(job.scene, surroundings, options.path.shading(options.integrator), kTexelChunkBytes);

@@ -3,9 +3,14 @@
 #include "accel/acceleration_structure.h"
 #include "scene/scene.h"
 
+#include <string>
+
 namespace metamarch::cli {
 
 // What the importer left out or repaired.
+// One line on stderr.
+void printWarning(const std::string& warning);
+
 void printWarnings(const Scene& scene);
 
 // A scene whose triangles are all degenerate: its picture is empty.

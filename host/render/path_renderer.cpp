@@ -32,16 +32,14 @@ class Renderer {
           tilesPerRow((camera.width + kTileSide - 1) / kTileSide),
           tileCount(tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide)),
           pipeline(makePipeline(usedDevice, scene, shading, usedTraversal)),
-          cameraBuffer(vulkan::upload(usedDevice, std::span(&camera, 1), "camera")),
-          settingsBuffer(vulkan::upload(usedDevice, std::span(&settings, 1), "settings")),
+          input(uploadInput(usedDevice, camera, settings)),
           film(usedDevice, vulkan::BufferUse::storage,
                std::uint64_t{bandTiles()} * kTilePixels * sizeof(FilmPixel), "film"),
           status(usedDevice, vulkan::BufferUse::storage, sizeof(Status), "status"),
           statusReadback(usedDevice, vulkan::BufferUse::readback, sizeof(Status), "status read back"),
           submission(usedDevice), work(bandTiles()) {
         shading.bindTo(pipeline);
-        pipeline.bind(kBindCamera, cameraBuffer);
-        pipeline.bind(kBindPathSettings, settingsBuffer);
+        pipeline.bind(kBindInput, input);
         pipeline.bind(kBindOutput, film);
         pipeline.bind(kBindPathStatus, status);
     }
@@ -73,10 +71,16 @@ class Renderer {
   private:
     std::uint32_t bandTiles() const { return std::min(tileCount, kMostTiles); }
 
+    static vulkan::Buffer uploadInput(const vulkan::Device& device, const Camera& camera,
+                                      const PathSettings& settings) {
+        const PathInput input{camera, settings};
+        return vulkan::upload(device, std::span(&input, 1), "input");
+    }
+
     static vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const SceneBuffers& scene,
                                                 const ShadingBuffers& shading, const std::string& traversal) {
         vulkan::KernelInfo own{.storageBindings = {kBindOutput, kBindPathStatus},
-                               .uniformBindings = {kBindCamera, kBindPathSettings},
+                               .uniformBindings = {kBindInput},
                                .pushConstantSize = sizeof(PathPush)};
         shading.addTo(own);
         return scene.makePipeline(device, "path", traversal, own);
@@ -121,8 +125,7 @@ class Renderer {
     std::uint32_t tileCount;
     std::uint32_t atOnce = kSamplesAtOnce;
     vulkan::ComputePipeline pipeline;
-    vulkan::Buffer cameraBuffer;
-    vulkan::Buffer settingsBuffer;
+    vulkan::Buffer input;
     vulkan::Buffer film;
     vulkan::Buffer status;
     vulkan::Buffer statusReadback;

@@ -7,8 +7,10 @@
 
 layout(local_size_x = kTilePixels) in;
 
-layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
-layout(std140, binding = kBindPathSettings) uniform SettingsBuffer { PathSettings settings; };
+layout(std140, binding = kBindInput) uniform InputBuffer {
+    Camera camera;
+    PathSettings settings;
+};
 layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
 // [0]: pixels that want another dispatch. A driver that limits the turns of loops may end an invocation
 // before it has come to push.endSample. [1]: pixels that came no further in this one.

@@ -19,12 +19,15 @@ SHARED_FN vec3 mapDirection(const vec2 point) {
     return vec3(around.x * down.y, down.x, around.y * down.y);
 }
 
+// Of the map in radians, 2 pi times pi. A literal: glslang folds products of constants in doubles.
+const float kMapArea = 19.7392088021787173f;
+
 // Per solid angle, of a direction in the texel that the two tables draw with these probabilities. `sine` is
 // that of the angle to the y axis: 0 has no density.
 SHARED_FN float mapDensity(const float rowProbability, const float columnProbability, const uint width,
                            const uint height, const float sine) {
     const float perSquare = rowProbability * columnProbability * float(width) * float(height);
-    return sine > 0.0f ? perSquare / (2.0f * kPi * kPi * sine) : 0.0f;
+    return sine > 0.0f ? perSquare / (kMapArea * sine) : 0.0f;
 }
 
 // The sine of mapDensity, of a direction of unit length.

@@ -5,6 +5,13 @@
 
 SHARED_BEGIN
 
+// What is the same for all invocations, one uniform buffer: with four of them in a kernel, lavapipe (Mesa
+// 22.3.6) writes past its stack.
+struct PathInput {
+    Camera camera;
+    PathSettings settings;
+};
+
 // A sample beyond this is no light: the squares of samples are to stay finite.
 const float kLargestRadiance = 1.0e15f;
 
@@ -64,6 +71,8 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     return added;
 }
 
+SHARED_ASSERT_SIZE(PathInput, 176)
+SHARED_ASSERT_OFFSET(PathInput, settings, 96)
 SHARED_ASSERT_SIZE(PathPush, 16)
 SHARED_ASSERT_SIZE(FilmPixel, 112)
 SHARED_ASSERT_OFFSET(FilmPixel, albedo, 16)

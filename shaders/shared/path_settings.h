@@ -5,8 +5,7 @@
 
 SHARED_BEGIN
 
-const uint kBindPathSettings = 46u; // uniform
-const uint kBindPathStatus = 47u;
+const uint kBindPathStatus = 46u;
 
 // PathSettings::strategies. Both, weighted against each other, by default; each alone converges to the same
 // picture, which tests use.

@@ -127,8 +127,9 @@ std::vector<double> probabilities(const Weights& weights) {
 
 } // namespace
 
-void addLights(const Scene& scene, const Surroundings& surroundings,
-               const std::span<const glm::vec3> meanEmission, ShadingScene& target) {
+void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
+               const Surroundings& surroundings, const std::span<const glm::vec3> meanEmission,
+               ShadingScene& target) {
     const Bounds bounds = boundsOf(scene);
     const double radius = scene.triangles.empty() ? 1.0 : 0.5 * glm::distance(bounds.lo, bounds.hi);
     PathSettings& settings = target.settings;
@@ -140,7 +141,7 @@ void addLights(const Scene& scene, const Surroundings& surroundings,
 
     Weights weights;
     addEmitters(scene, meanEmission, target, weights);
-    for (const PunctualLight& light : scene.lights) {
+    for (const PunctualLight& light : lights) {
         target.lights.push_back(recordOf(light));
     }
     if (surroundings.sun) {

@@ -10,7 +10,7 @@ namespace metamarch {
 
 // `meanEmission[material]`: radiance, textures averaged; black where light sampling is not to know the
 // material. Fills what of `target` is about light; its surfaces and materials are there.
-void addLights(const Scene& scene, const Surroundings& surroundings, std::span<const glm::vec3> meanEmission,
-               ShadingScene& target);
+void addLights(std::span<const PunctualLight> lights, const Scene& scene, const Surroundings& surroundings,
+               std::span<const glm::vec3> meanEmission, ShadingScene& target);
 
 } // namespace metamarch

@@ -166,7 +166,8 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
         target.features |= emission != glm::vec3(0.0f) ? kFeatureEmission : 0u;
     }
     addSurfaces(scene, target);
-    addLights(scene, surroundings, meanEmission, target);
+    addLights(options.isWhite ? std::span<const PunctualLight>() : scene.lights, scene, surroundings,
+              meanEmission, target);
     return target;
 }
 

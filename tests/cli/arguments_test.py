@@ -188,7 +188,16 @@ CASES = [
     ("render cornell.glb -o a.exr --device nonsense", 4, NO_OUTPUT, r"--device 'nonsense': fits no usable device; .*"),
     ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r"--backend cpu .* for the gpu"),
     ("render cornell.glb -o a.exr --traversal fast", 2, NO_OUTPUT, r"render: --traversal: fast not in \{meta_table.*"),
-    ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"render: --integrator: fast not in \{primary.*"),
+    ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"render: --integrator: fast not in \{path,direct,ao,primary\} .*"),
+    *((f"render cornell.glb -o a.exr --{option} {value}", 2, NO_OUTPUT, rf"--{option} {value}: .*")
+      for option, value in (("spp", "0"), ("spp", "99999999"), ("max-bounces", "99999"), ("clamp", "-1"), ("clamp", "nan"),
+                            ("env-rotation", "inf"), ("env-intensity", "-1"), ("env-intensity", "nan"), ("background", "1,2"),
+                            ("background", "1,-1,1"), ("background", "white"), ("sun", "0,0,0"), ("sun", "up"))),
+    ("render cornell.glb -o a.exr --spp many", 2, NO_OUTPUT, r"render: Could not convert: --spp = many .*"),
+    ("render cornell.glb -o a.exr --brdf phong", 2, NO_OUTPUT, r"render: --brdf: phong not in \{compensated,gltf\} .*"),
+    ("render cornell.glb -o a.exr --sky --background 1,1,1", 2, NO_OUTPUT, r"--env, --background and --sky .* exclude .*"),
+    ("render cornell.glb -o a.exr --env missing.hdr", 3, NO_OUTPUT, r"cannot read missing.hdr: No such file or directory"),
+    ("render cornell.glb -o a.exr --env text.exr", 3, NO_OUTPUT, r"cannot read text.exr: .*"),
     ("render cornell.glb -o a.exr --backend fast", 2, NO_OUTPUT, r"render: --backend: fast not in \{gpu,cpu\} .*"),
     # render: the camera
     ("render cornell.glb -o a.exr --camera side", 2, NO_OUTPUT, r"--camera side: no such camera; the scene has 0 'front'"),
@@ -210,7 +219,7 @@ CASES = [
     ("render cornell.glb -o a.exr --sise 5x5", 2, NO_OUTPUT, r"render: unknown argument `--sise`; did you mean `--size`\? .*"),
     ("render cornell.glb b.glb -o a.exr", 2, NO_OUTPUT, r"render: unknown argument `b.glb` .*"),
     ("render cornell.glb -o a.exr --size", 2, NO_OUTPUT, r"render: --size: 1 required WxH missing .*"),
-    ("render cornell.glb -o a.exr --size 8x8 --backend cpu", 0, r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
+    ("render cornell.glb -o a.exr --size 8x8 --backend cpu --integrator primary", 0, r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
 ]
 
 
@@ -248,7 +257,7 @@ class ArgumentsTest(ProgramTest):
         for path in sorted((folder / "gltf" / "malformed").rglob("*.gl*")) if folder else []:
             with self.subTest(path=path.name):
                 picture = f"{path.name}.exr"
-                result = self.run_program("render", path, "-o", picture, "--size", "8x6", "--quiet")
+                result = self.run_program("render", path, "-o", picture, "--size", "8x6", "--quiet", "--background", "1,1,1")
                 kind = {0: "warning: ", 3: ""}[result.returncode]  # repaired or refused, and said so
                 self.assertRegex(result.stderr, rf"\Ametamarch: {kind}{re.escape(str(path))}: [^\n]+\n\Z")
                 self.assertEqual((self.tmp / picture).exists(), result.returncode == 0)

@@ -1,4 +1,4 @@
-"""What `render` writes: channels, cameras, the same picture from both backends, statistics, memory."""
+"""What `render --integrator primary` writes: channels, cameras, the same picture from both backends, statistics, memory."""
 import json
 import math
 import os
@@ -16,7 +16,7 @@ MAX_RESIDENT = 3 << 30  # bytes, for the million triangles of MetalRoughSpheresN
 
 class RenderTest(ProgramTest):
     def render(self, scene, *words, name="a.exr"):
-        return self.succeed("render", scene, "-o", name, *words)
+        return self.succeed("render", scene, "-o", name, "--integrator", "primary", *words)
 
     def picture(self, scene, *words):
         self.render(scene, *words)
@@ -142,7 +142,7 @@ class RenderTest(ProgramTest):
         if not folder:
             return
         scene = folder / "gltf" / "MetalRoughSpheresNoTextures.glb"
-        words = [metamarch(), "render", scene, "-o", self.tmp / "a.exr", "--size", "640x480", "--quiet"]
+        words = [metamarch(), "render", scene, "-o", self.tmp / "a.exr", "--size", "640x480", "--quiet", "--integrator", "primary"]
         # The program's own memory: without the validation layers, and without the freed blocks AddressSanitizer keeps.
         own = {"METAMARCH_VALIDATION": "0", "ASAN_OPTIONS": f"{os.environ.get('ASAN_OPTIONS', '')}:quarantine_size_mb=1"}
         process = subprocess.Popen(words, env={**os.environ, **self.environment, **own})
