@@ -164,7 +164,7 @@ CASES = [
     ("info cornell.glb --table gcd --unit 0.1", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
     ("info cornell.glb --table gcd --cells 9", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
     ("info cornell.glb --table gcd --partition halves.json", 2, NO_OUTPUT, r"--table gcd takes its cells from .*"),
-    ("info cornell.glb --table fast", 2, NO_OUTPUT, r"info: --table: fast not in \{unit,gcd\} .*"),
+    ("info cornell.glb --table fast", 2, NO_OUTPUT, r"info: --table: fast not in \{unit,gcd,rectilinear\} .*"),
     ("info cornell.glb --preset fast", 2, NO_OUTPUT, r"info: --preset: fast not in \{paper\} .*"),
     *((f"info cornell.glb --scale {scale}", 2, NO_OUTPUT, r"--scale .*: give a finite number other than 0")
       for scale in ("0", "nan", "inf", "1e300", "1e-300")),
