@@ -14,7 +14,7 @@
 namespace metamarch {
 namespace {
 
-// Planes are rounded to single precision later, by 2^-7 of the margin at most. Kept this much farther from
+// Planes are rounded to single precision later, by 2^-6 of the margin at most. Kept this much farther from
 // the triangles that end at them, they still do not cut these.
 constexpr double kPlaneRoom = 1.0 + 0x1p-6;
 

@@ -3,22 +3,6 @@
 #include "shared/march.h"
 
 namespace metamarch {
-namespace {
-
-// One axis moved on, in the ray's direction, and no axis moved back.
-bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
-    int moved = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int forward = upward[axis] ? to[axis] - from[axis] : from[axis] - to[axis];
-        if (forward < 0) {
-            return false;
-        }
-        moved += forward;
-    }
-    return moved > 0;
-}
-
-} // namespace
 
 template <Invariants invariants>
 [[gnu::flatten]] TraceResult traceMetaTable(const AccelerationStructure& scene, const Ray& ray,

@@ -18,6 +18,7 @@ template <Invariants invariants>
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     ivec3 cell = clamp(planes.searchCell(positionAt(ray, ray.tNear)), ivec3(0), ivec3(resolution) - 1);
     while (true) {
+        require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
         require<invariants>(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
         const Leaf& leaf = scene.table.leaves[scene.table.leafOfCell[cellIndex(cell, resolution)]];
@@ -30,10 +31,12 @@ template <Invariants invariants>
         const PlaneExit next = firstOf(ray, vec3(planes.plane(0, farPlanes.x), planes.plane(1, farPlanes.y),
                                                  planes.plane(2, farPlanes.z)));
         const ivec3 found = planes.searchCell(positionAt(ray, next.t));
-        cell = cellBehind(ray, lo, hi, cell, found, next.axis);
-        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(cell, resolution)) {
+        const ivec3 behind = cellBehind(ray, lo, hi, cell, found, next.axis);
+        require<invariants>(movedOn(cell, behind, upward), "the march did not move on");
+        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(behind, resolution)) {
             return trace;
         }
+        cell = behind;
     }
 }
 

@@ -1,5 +1,7 @@
 // The invariants that the twins assert.
 #pragma once
+#include "shared/interop.h"
+
 #include <stdexcept>
 
 namespace metamarch {
@@ -15,6 +17,19 @@ void require([[maybe_unused]] const bool holds, [[maybe_unused]] const char* inv
             throw std::logic_error(invariant);
         }
     }
+}
+
+// One axis moved on, in the ray's direction, and no axis moved back: why a march ends.
+inline bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
+    int moved = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int forward = upward[axis] ? to[axis] - from[axis] : from[axis] - to[axis];
+        if (forward < 0) {
+            return false;
+        }
+        moved += forward;
+    }
+    return moved > 0;
 }
 
 } // namespace metamarch

@@ -1,0 +1,143 @@
+// Rays aimed at the uneven planes of the rectilinear table, which no ray set over the uniform lattice meets:
+// brute force judges its twin, which asserts its invariants.
+#include "accel/structure_set.h"
+#include "fixtures/shapes.h"
+#include "reference/twins.h"
+#include "traversal/judges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace metamarch::tests {
+namespace {
+
+constexpr std::size_t kRays = 60000;
+
+class PlaneRays {
+  public:
+    PlaneRays(const Lattice& usedLattice, const RectilinearPlanes& usedPlanes)
+        : lattice(usedLattice), planes(usedPlanes) {}
+
+    // From a corner of cells, or near one; to another, along an axis, or in a plane of two axes.
+    RayQuery make() {
+        const vec3 origin = corner();
+        vec3 dir = corner() - origin;
+        const int axis = static_cast<int>(integer(3));
+        switch (integer(3)) {
+        case 0:
+            dir = vec3(integer(2) == 0 ? 0.0f : -0.0f);
+            dir[axis] = integer(2) == 0 ? 1.0f : -1.0f;
+            break;
+        case 1:
+            dir[axis] = integer(2) == 0 ? 0.0f : -0.0f;
+            break;
+        default:
+            break;
+        }
+        return {origin, 0.0f, dir, kFarthest};
+    }
+
+  private:
+    unsigned integer(const unsigned end) {
+        return std::uniform_int_distribution<unsigned>(0, end - 1)(random);
+    }
+
+    // On the planes as near as floats come, or a float beside them.
+    vec3 corner() {
+        vec3 result;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto index = static_cast<int>(integer(planes.layout().resolution[axis] + 1));
+            const float at = lattice.origin[axis] + planes.plane(axis, index) / lattice.cellsPerUnit[axis];
+            const float beside = std::nextafter(at, integer(2) == 0 ? kFarthest : -kFarthest);
+            result[axis] = integer(2) == 0 ? at : beside;
+        }
+        return result;
+    }
+
+    const Lattice& lattice;
+    const RectilinearPlanes& planes;
+    std::mt19937 random{12};
+};
+
+struct NamedScene {
+    const char* name;
+    Scene (*make)();
+};
+
+class Rectilinear : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(Rectilinear, findsWhatBruteForceFindsFromPlaneToPlane) {
+    const Scene scene = GetParam().make();
+    for (const bool exitBoxes : {true, false}) {
+        SCOPED_TRACE(exitBoxes ? "exit boxes" : "no exit boxes");
+        AccelerationOptions options;
+        options.table = TableMethod::rectilinear;
+        options.exitBoxes = exitBoxes;
+        const AccelerationStructure structure = buildAccelerationStructure(scene, options);
+        const StructureSet structures(structure);
+        const RectilinearTable& table = structures.rectilinearTable();
+        PlaneRays maker(structure.lattice, table.planes);
+        std::vector<RayQuery> rays(kRays);
+        std::ranges::generate(rays, [&] { return maker.make(); });
+        for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
+            const auto brute = traceAll(structure.lattice, rays, [&](const Ray& ray) {
+                return traceBruteForce(structures.triangles(), ray, query);
+            });
+            const auto results = traceAll(structure.lattice, rays, [&](const Ray& ray) {
+                return traceRectilinearTable<Invariants::checked>(table, ray, query);
+            });
+            if (query == HitQuery::closest) {
+                expectSameHits(rays, results, brute, Counters::ignored);
+            } else {
+                expectSameOcclusion(rays, results, brute);
+            }
+        }
+    }
+}
+
+Scene emptyScene() { return {}; }
+
+Scene oneTriangle() {
+    Scene scene;
+    addTriangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f});
+    return scene;
+}
+
+// What a uniform lattice does worst: all of the detail in a millionth of the floor.
+Scene sphereInStadium() {
+    Scene scene;
+    addSphere(scene, {0, 1, 0}, 1.0f, 30, 15);
+    addPlane(scene, 0.0f, 1e4f);
+    return scene;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Rectilinear,
+                         testing::Values(NamedScene{"empty", emptyScene},
+                                         NamedScene{"one_triangle", oneTriangle},
+                                         NamedScene{"unit_cube", unitCube},
+                                         NamedScene{"soup", [] { return triangleSoup(500, 9); }},
+                                         NamedScene{"sphere_in_stadium", sphereInStadium}),
+                         [](const auto& instance) { return std::string(instance.param.name); });
+
+// The scene that makes a flat table slow: here the sphere has its share of the cells.
+TEST(RectilinearInAStadium, testsFewTriangles) {
+    const AccelerationStructure structure = buildAccelerationStructure(sphereInStadium(), {});
+    const StructureSet structures(structure);
+    const std::vector<RayQuery> rays = {{{0.3f, 1.2f, 5.0f}, 0.0f, {0.0f, 0.0f, -1.0f}, kFarthest}};
+    const auto uniform = traceAll(structure.lattice, rays, [&](const Ray& ray) {
+        return traceMetaTable<Invariants::checked>(structure, ray, HitQuery::closest);
+    });
+    const auto uneven = traceAll(structure.lattice, rays, [&](const Ray& ray) {
+        return traceRectilinearTable<Invariants::checked>(structures.rectilinearTable(), ray,
+                                                          HitQuery::closest);
+    });
+    expectSameHits(rays, uneven, uniform, Counters::ignored);
+    EXPECT_GT(uniform[0].tests, 500u);
+    EXPECT_LT(uneven[0].tests, 20u);
+}
+
+} // namespace
+} // namespace metamarch::tests
