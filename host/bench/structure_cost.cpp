@@ -62,15 +62,14 @@ std::optional<StructureCost> StructureCosts::measure(const std::string_view trav
         return StructureCost{sizeof(GridCell), byteSize(grid->cells) + byteSize(grid->triangles), seconds};
     }
     if (traversal == "rectilinear_table") {
-        const RectilinearTable* const built =
-            timed([&]() -> auto& { return set.rectilinearTable(); }, seconds);
-        const MetaTable& table = built->table;
+        const RectilinearTable& built = set.rectilinearTable();
+        const MetaTable& table = built.table;
         // Three planes for the exit and, behind it, three look-ups with one plane each.
         return StructureCost{sizeof(std::uint32_t) + sizeof(Leaf) + 3 * sizeof(float) +
                                  3 * (sizeof(std::uint32_t) + sizeof(float)),
                              byteSize(table.leafOfCell) + byteSize(table.leaves) + byteSize(table.triangles) +
-                                 byteSize(built->planes.planes()) + byteSize(built->planes.buckets()),
-                             seconds};
+                                 byteSize(built.planes.planes()) + byteSize(built.planes.buckets()),
+                             built.buildSeconds};
     }
     if (traversal == kFloor) {
         return StructureCost{0, byteSize(base.triangles), 0.0};

@@ -38,14 +38,18 @@ struct TraversalOptions {
 };
 
 // The traversals that are measured on `device`. By default all that it can run, which is said of the others,
-// but for brute_force, which takes minutes where they take milliseconds. Those asked for must run.
+// but for brute_force, which takes minutes where they take milliseconds. Those asked for must run, and
+// --table rectilinear asks for its own.
 std::vector<std::string> chooseTraversals(const vulkan::DeviceReport& device,
-                                          const std::vector<std::string>& askedFor) {
+                                          const std::vector<std::string>& askedFor, const TableMethod table) {
     for (const std::string& traversal : askedFor) {
         render::requireTraversal(device, traversal);
     }
     if (!askedFor.empty()) {
         return askedFor;
+    }
+    if (table == TableMethod::rectilinear) {
+        return {std::string(marchThrough(table))};
     }
     std::vector<std::string> names(traversals().begin(), traversals().end());
     std::erase(names, "brute_force");
@@ -139,7 +143,8 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
 }
 
 // "all" or what --device takes, each once.
-std::vector<BenchDevice> openDevices(const vulkan::Context& context, const TraversalOptions& options) {
+std::vector<BenchDevice> openDevices(const vulkan::Context& context, const TraversalOptions& options,
+                                     const TableMethod table) {
     std::vector<std::string> names = options.devices;
     if (names == std::vector<std::string>{"all"}) {
         names.clear();
@@ -152,7 +157,7 @@ std::vector<BenchDevice> openDevices(const vulkan::Context& context, const Trave
     std::vector<BenchDevice> devices;
     for (const std::string& name : names) {
         auto device = std::make_unique<vulkan::Device>(context, name);
-        std::vector<std::string> measured = chooseTraversals(device->report(), options.traversals);
+        std::vector<std::string> measured = chooseTraversals(device->report(), options.traversals, table);
         devices.push_back({std::move(device), std::move(measured)});
     }
     return devices;
@@ -172,6 +177,9 @@ bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDe
 void runTraversal(const TraversalOptions& options) {
     const glm::uvec2 size = options.bench.size();
     const AccelerationOptions structureOptions = options.structure.parse();
+    for (const std::string& traversal : options.traversals) {
+        requireTable(structureOptions.table, traversal);
+    }
     for (const std::string& path : {options.jsonPath, options.markdownPath}) {
         if (!path.empty()) {
             const OutputFile probe(path);
@@ -183,7 +191,7 @@ void runTraversal(const TraversalOptions& options) {
         }
     }
     const vulkan::Context context;
-    const std::vector<BenchDevice> devices = openDevices(context, options);
+    const std::vector<BenchDevice> devices = openDevices(context, options, structureOptions.table);
 
     const bench::Origin origin = originOfAll(options.bench, devices);
     RowSink sink;

@@ -1,5 +1,6 @@
 #include "cli/info_command.h"
 
+#include "accel/structure_set.h"
 #include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
@@ -35,6 +36,9 @@ void printText(const nlohmann::ordered_json& report) {
     const auto count = [&](const char* group, const char* key) {
         return report[group][key].get<std::uint64_t>();
     };
+    const auto mebibytes = [](const nlohmann::ordered_json& bytes, const char* key) {
+        return static_cast<double>(bytes[key].get<std::uint64_t>()) / 0x1p20;
+    };
     const auto seconds = [&](const char* key) { return report["seconds"][key].get<double>(); };
     line("vertices", report["vertices"].dump());
     line("triangles", fmt::format("{} ({} degenerate, in no leaf)", report["triangles"].dump(),
@@ -52,13 +56,27 @@ void printText(const nlohmann::ordered_json& report) {
     line("leaves", fmt::format("{} with {} triangle references, {} empty", count("tree", "leaves"),
                                count("tree", "references"), count("tree", "emptyLeaves")));
     line("table", fmt::format("{} cells, {} leaves", count("table", "cells"), count("table", "leaves")));
-    const auto mebibytes = [&](const char* key) { return static_cast<double>(count("bytes", key)) / 0x1p20; };
+    const nlohmann::ordered_json& bytes = report["bytes"];
     line("memory",
          fmt::format("tree {:.1f} MiB, table {:.1f} MiB, exit boxes {:.1f} MiB, triangles {:.1f} MiB",
-                     mebibytes("tree"), mebibytes("table"), mebibytes("exitBoxes"), mebibytes("triangles")));
+                     mebibytes(bytes, "tree"), mebibytes(bytes, "table"), mebibytes(bytes, "exitBoxes"),
+                     mebibytes(bytes, "triangles")));
     line("built in",
          fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
                      seconds("table"), report["trianglesPerSecond"].get<double>()));
+    if (report.contains("rectilinear")) {
+        const nlohmann::ordered_json& table = report["rectilinear"];
+        line("rectilinear",
+             fmt::format("{} planes of a tree of depth {}, {} cells, {} leaves with {} triangle references",
+                         triple(table["planes"], " x "), table["depth"].dump(), table["cells"].dump(),
+                         table["leaves"].dump(), table["references"].dump()));
+        const nlohmann::ordered_json& parts = table["bytes"];
+        line("",
+             fmt::format("table {:.1f} MiB, exit boxes {:.1f} MiB, planes {:.1f} MiB, triangles "
+                         "{:.1f} MiB, built in {:.3f} s",
+                         mebibytes(parts, "table"), mebibytes(parts, "exitBoxes"), mebibytes(parts, "planes"),
+                         mebibytes(parts, "triangles"), table["seconds"].get<double>()));
+    }
 }
 
 void runInfo(const InfoOptions& options) {
@@ -67,7 +85,10 @@ void runInfo(const InfoOptions& options) {
     printWarnings(scene);
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
     printWarnings(scene, structure);
-    const nlohmann::ordered_json report = reportStructure(scene, structure);
+    nlohmann::ordered_json report = reportStructure(scene, structure);
+    if (structureOptions.table == TableMethod::rectilinear) {
+        report["rectilinear"] = reportRectilinear(StructureSet(structure).rectilinearTable());
+    }
     if (options.json) {
         fmt::print("{}\n", report.dump(2));
     } else {

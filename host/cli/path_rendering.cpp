@@ -24,9 +24,7 @@ std::vector<FilmPixel> renderOnCpu(const RenderJob& job, const ShadingScene& sha
     const Stopwatch stopwatch;
     std::vector<FilmPixel> film =
         metamarch::renderPaths(job.structure, shading, settings, job.camera, samples, [](unsigned) {});
-    result.device = "cpu";
-    result.driver = "metamarch";
-    result.traversal = "kd_stack";
+    describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return film;
 }
@@ -50,9 +48,7 @@ std::vector<FilmPixel> renderOnGpu(const RenderJob& job, const ShadingScene& sha
                                                         }
                                                         progress->show(part);
                                                     });
-    result.device = job.device->name();
-    result.driver = job.device->report().driverInfo;
-    result.traversal = job.traversal;
+    describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;
     result.stats["seconds"]["device"] = render.deviceSeconds;

@@ -19,9 +19,7 @@ std::vector<PrimaryPixel> renderOnCpu(const RenderJob& job, const ShadingData& s
     const Stopwatch stopwatch;
     std::vector<PrimaryPixel> pixels = metamarch::renderPrimary(
         job.structure, shading.materials, shading.materialOfTriangle, job.camera, [](unsigned) {});
-    result.device = "cpu";
-    result.driver = "metamarch";
-    result.traversal = "kd_stack";
+    describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return pixels;
 }
@@ -42,9 +40,7 @@ std::vector<PrimaryPixel> renderOnGpu(const RenderJob& job, const ShadingData& s
             }
             progress->show(part);
         });
-    result.device = job.device->name();
-    result.driver = job.device->report().driverInfo;
-    result.traversal = job.traversal;
+    describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;
     result.stats["seconds"]["device"] = render.deviceSeconds;

@@ -125,6 +125,9 @@ nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure
     stats["size"] = {size.x, size.y};
     stats.update(rendering.stats);
     stats["scene"] = reportStructure(scene, structure);
+    if (rendering.rectilinear) {
+        stats["scene"]["rectilinear"] = *rendering.rectilinear;
+    }
     return stats;
 }
 
@@ -163,7 +166,8 @@ void runRender(const RenderOptions& options) {
     }
 
     const std::string traversal =
-        options.traversal.empty() ? std::string(traversals().front()) : options.traversal;
+        options.traversal.empty() ? std::string(marchThrough(structureOptions.table)) : options.traversal;
+    requireTable(structureOptions.table, traversal);
 
     // Before the long work, what can go wrong without it.
     std::optional<vulkan::Context> context;
@@ -236,8 +240,9 @@ void addRenderCommand(CLI::App& program) {
         ->group(deviceGroup);
     const std::span<const std::string_view> names = traversals();
     command
-        ->add_option("--traversal", options->traversal,
-                     fmt::format("How rays find triangles (default {})", names.front()))
+        ->add_option(
+            "--traversal", options->traversal,
+            fmt::format("How rays find triangles (default {}, or what marches --table)", names.front()))
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
         ->group(deviceGroup);
     command

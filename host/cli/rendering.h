@@ -2,12 +2,14 @@
 #pragma once
 #include "accel/acceleration_structure.h"
 #include "image/image.h"
+#include "render/scene_buffers.h"
 #include "scene/scene.h"
 #include "shared/camera.h"
 #include "vulkan/device.h"
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 
 namespace metamarch::cli {
@@ -28,6 +30,11 @@ struct Rendering {
     std::string traversal;
     nlohmann::ordered_json stats; // rays, seconds and the like; not the scene's
     std::string summary;          // for the last line: what a ray or a sample took
+    std::optional<nlohmann::ordered_json> rectilinear; // reportRectilinear of the table that was marched
 };
+
+// Notes the device, and of its scene what the traversal walks.
+void describeDevice(const RenderJob& job, const render::SceneBuffers& scene, Rendering& rendering);
+void describeCpu(Rendering& rendering);
 
 } // namespace metamarch::cli

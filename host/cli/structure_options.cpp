@@ -3,6 +3,7 @@
 #include "accel/partition_file.h"
 #include "cli/number_list.h"
 #include "error.h"
+#include "shader_library.h"
 #include "shared/kd_node.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,18 @@
 #include <cmath>
 
 namespace metamarch::cli {
+
+std::string_view marchThrough(const TableMethod method) {
+    return method == TableMethod::rectilinear ? "rectilinear_table" : traversals().front();
+}
+
+void requireTable(const TableMethod method, const std::string_view traversal) {
+    if (method == TableMethod::rectilinear && traversal != marchThrough(method)) {
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--table rectilinear is marched by {} alone, not by {}", marchThrough(method),
+                                traversal));
+    }
+}
 
 void StructureOptions::addTo(CLI::App& command) {
     const std::string group = "Tree and table";
@@ -34,9 +47,8 @@ void StructureOptions::addTo(CLI::App& command) {
         .add_option(
             "--table", table,
             "How the table comes to its cells. unit: from --unit or --cells, and the tree after it; gcd: "
-            "from the planes of a finished tree, by their greatest common divisors; rectilinear: uneven "
-            "cells "
-            "between the planes of a finished tree, as they are (default unit)")
+            "from the planes of a finished tree, by their greatest common divisors; rectilinear: the uneven "
+            "cells between the planes of a finished tree, the deepest that fits (default unit)")
         ->check(CLI::IsMember({"unit", "gcd", "rectilinear"}))
         ->group(group);
     command
@@ -74,9 +86,13 @@ TableMethod StructureOptions::parseTable() const {
     const TableMethod method = table == "gcd"           ? TableMethod::gcd
                                : table == "rectilinear" ? TableMethod::rectilinear
                                                         : TableMethod::unit;
-    if (method == TableMethod::gcd && (!unit.empty() || cells || !partitionPath.empty())) {
-        refuse(
-            "--table gcd takes its cells from the tree's planes: --unit, --cells and --partition exclude it");
+    if (method != TableMethod::unit && (!unit.empty() || cells || !partitionPath.empty())) {
+        refuse(fmt::format(
+            "--table {} takes its cells from the tree's planes: --unit, --cells and --partition exclude it",
+            table));
+    }
+    if (method == TableMethod::rectilinear && merge) {
+        refuse("--merge joins leaves of even cells: --table rectilinear excludes it");
     }
     if (quantum && method != TableMethod::gcd) {
         refuse("--quantum is for --table gcd");

@@ -6,8 +6,16 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace metamarch::cli {
+
+// The traversal that marches the tables of `method`.
+std::string_view marchThrough(TableMethod method);
+
+// Throws Error(badArguments) where `traversal` cannot go with what --table asks for: the rectilinear table
+// has one traversal, and the others would walk what was not asked for.
+void requireTable(TableMethod method, std::string_view traversal);
 
 class StructureOptions {
   public:

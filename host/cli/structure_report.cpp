@@ -69,4 +69,20 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     return report;
 }
 
+nlohmann::ordered_json reportRectilinear(const RectilinearTable& table) {
+    const Rectilinear& layout = table.planes.layout();
+    nlohmann::ordered_json report;
+    report["planes"] = toArray(layout.resolution + 1u);
+    report["cells"] = layout.cellCount;
+    report["leaves"] = table.table.leaves.size();
+    report["references"] = table.table.triangles.size();
+    report["depth"] = table.depth;
+    report["bytes"]["table"] = byteSize(table.table.leafOfCell);
+    report["bytes"]["exitBoxes"] = byteSize(table.table.leaves);
+    report["bytes"]["planes"] = byteSize(table.planes.planes()) + byteSize(table.planes.buckets());
+    report["bytes"]["triangles"] = byteSize(table.table.triangles);
+    report["seconds"] = table.buildSeconds;
+    return report;
+}
+
 } // namespace metamarch::cli

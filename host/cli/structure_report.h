@@ -1,6 +1,7 @@
 // Scene, tree and table in numbers: for `info` and for --stats.
 #pragma once
 #include "accel/acceleration_structure.h"
+#include "accel/rectilinear_table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,5 +14,10 @@ namespace metamarch::cli {
 // the leaves that hold triangles, tree.emptyLeaves the others; the table's are all of them, unless it has
 // leaves of its own. bounds are null without triangles.
 nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStructure& structure);
+
+// What --table rectilinear adds, as object `rectilinear`: planes (of each axis, both faces among them) cells
+// leaves references depth bytes.table bytes.exitBoxes bytes.planes bytes.triangles seconds. depth is that of
+// the tree whose planes they are; bytes.planes counts the look-ups too.
+nlohmann::ordered_json reportRectilinear(const RectilinearTable& table);
 
 } // namespace metamarch::cli

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <numeric>
 
 namespace metamarch {
@@ -143,9 +144,10 @@ void number(const SplitPlan& plan, const std::uint32_t nodeId, const unsigned le
 RectilinearTable buildRectilinearTable(const Lattice& lattice,
                                        const std::span<const TriangleRecord> triangles,
                                        const RectilinearDepth depth, const bool exitBoxes) {
+    const auto start = std::chrono::steady_clock::now();
     const std::vector<LatticeTriangle> corners = cornersIn(lattice, triangles);
     const auto [plan, levels] = choosePlan(lattice, corners, depth);
-    RectilinearTable result{planesOf(lattice, plan, levels), {}, 0};
+    RectilinearTable result{planesOf(lattice, plan, levels), {}, 0, 0.0};
     SplitPlan numbered;
     number(plan, 0, levels, result.planes, numbered);
 
@@ -166,6 +168,7 @@ RectilinearTable buildRectilinearTable(const Lattice& lattice,
     for (const std::uint32_t slot : tree.leafTriangles) {
         result.table.triangles.push_back(triangles[slot]);
     }
+    result.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

@@ -10,8 +10,9 @@ namespace metamarch {
 
 struct RectilinearTable {
     RectilinearPlanes planes;
-    MetaTable table; // with triangles of its own
-    unsigned depth;  // of the tree that the leaves come from
+    MetaTable table;     // with triangles of its own
+    unsigned depth;      // of the tree that the leaves come from
+    double buildSeconds; // wall time
 };
 
 // How deep the tree may be whose planes are taken.

@@ -61,6 +61,10 @@ class TraversalTest(ProgramTest):
             self.assertEqual(row["hits"], floor["hits"])
             self.assertAlmostEqual(row["floorMultiple"], floor["mraysPerSecond"] / row["mraysPerSecond"])
 
+    def test_uneven_cells_are_marched_by_their_own_traversal(self):
+        rows = self.bench("--rays", "close", "--table", "rectilinear", "--tree-depth", "6")["rows"]
+        self.assertEqual({row["traversal"] for row in rows if row["backend"] == "gpu"}, {"floor", "rectilinear_table"})
+
     def test_ray_queries_run_or_are_refused(self):
         lists, lacking = self.list()
         self.assertIn("ray_query", lists["traversals"])

@@ -164,6 +164,21 @@ CASES = [
     ("info cornell.glb --table gcd --unit 0.1", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
     ("info cornell.glb --table gcd --cells 9", 2, NO_OUTPUT, r"--table gcd takes its cells from the tree's planes: .*"),
     ("info cornell.glb --table gcd --partition halves.json", 2, NO_OUTPUT, r"--table gcd takes its cells from .*"),
+    # uneven cells
+    ("info cornell.glb --table rectilinear", 0, r".*\nrectilinear +\d+ x \d+ x \d+ planes of a tree of depth \d+, .*", NO_OUTPUT),
+    ("info cornell.glb --table rectilinear --tree-depth 4 --no-exit-boxes", 0, r".* planes of a tree of depth 4, .*", NO_OUTPUT),
+    ("info {scenes}/objects.glb --table rectilinear --tree-depth 40", 6, NO_OUTPUT,
+     r"a rectilinear table of --tree-depth 40 has \d+ x \d+ x \d+ cells \(\d+ MiB\), .*; the deepest that fits is \d+"),
+    *((f"info cornell.glb --table rectilinear {words}", 2, NO_OUTPUT,
+       r"--table rectilinear takes its cells from the tree's planes: --unit, --cells and --partition exclude it")
+      for words in ("--unit 0.1", "--cells 9", "--partition halves.json")),
+    ("info cornell.glb --table rectilinear --merge", 2, NO_OUTPUT, r"--merge joins .*: --table rectilinear excludes it"),
+    ("info cornell.glb --table rectilinear --quantum 0.1", 2, NO_OUTPUT, r"--quantum is for --table gcd"),
+    *((f"render cornell.glb -o a.exr --table rectilinear --traversal {traversal}", 2, NO_OUTPUT,
+       rf"--table rectilinear is marched by rectilinear_table alone, not by {traversal}")
+      for traversal in ("meta_table", "kd_stack", "brute_force")),
+    ("bench traversal cornell.glb --table rectilinear --traversals rectilinear_table,kd_ropes", 2, NO_OUTPUT,
+     r"--table rectilinear is marched by rectilinear_table alone, not by kd_ropes"),
     ("info cornell.glb --table fast", 2, NO_OUTPUT, r"info: --table: fast not in \{unit,gcd,rectilinear\} .*"),
     ("info cornell.glb --preset fast", 2, NO_OUTPUT, r"info: --preset: fast not in \{paper\} .*"),
     *((f"info cornell.glb --scale {scale}", 2, NO_OUTPUT, r"--scale .*: give a finite number other than 0")

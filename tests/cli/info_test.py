@@ -48,6 +48,18 @@ class InfoTest(ProgramTest):
         text = self.succeed("info", SCENES / "objects.glb", "--table", "gcd")
         self.assertRegex(text, r"(?m)^planes +moved by at most 0\.03516, to multiples of 0\.07031; ") # 18 / 256
 
+    def test_uneven_planes(self):
+        table = self.info(SCENES / "objects.glb", "--table", "rectilinear")["rectilinear"]
+        x, y, z = (planes - 1 for planes in table["planes"])
+        self.assertEqual(table["cells"], x * y * z)
+        self.assertEqual(table["bytes"]["table"], 4 * table["cells"])
+        self.assertEqual(table["bytes"]["triangles"], 48 * table["references"])
+        self.assertGreater(table["seconds"], 0)
+        shallow = self.info(SCENES / "objects.glb", "--table", "rectilinear", "--tree-depth", "3")["rectilinear"]
+        self.assertEqual(shallow["depth"], 3)
+        self.assertLessEqual(shallow["leaves"], 8)
+        self.assertNotIn("rectilinear", self.info(SCENES / "objects.glb"))
+
     def test_merged_leaves(self):
         whole = self.info(SCENES / "objects.glb")["table"]
         merged = self.info(SCENES / "objects.glb", "--merge")["table"]

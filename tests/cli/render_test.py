@@ -103,6 +103,20 @@ class RenderTest(ProgramTest):
                     self.assertEqual(json.loads((self.tmp / "s.json").read_text())["scene"]["table"]["leaves"], 5)
                 self.succeed("compare", "march.exr", "tree.exr", "--max-abs", "0")
 
+    def test_uneven_cells_draw_what_the_tree_draws(self):
+        uneven = ["--size", "161x119", "--table", "rectilinear"]
+        self.render(CORNELL, "--size", "161x119", "--backend", "cpu", name="tree.exr")
+        for words in (uneven, [*uneven, "--no-exit-boxes"], [*uneven, "--tree-depth", "3"],
+                      ["--size", "161x119", "--traversal", "rectilinear_table"]):
+            with self.subTest(words=words):
+                self.render(CORNELL, *words, "--stats", "s.json", name="march.exr")
+                stats = json.loads((self.tmp / "s.json").read_text())
+                self.assertEqual(stats["traversal"], "rectilinear_table")
+                self.assertGreater(stats["scene"]["rectilinear"]["cells"], 1)
+                self.succeed("compare", "march.exr", "tree.exr", "--max-abs", "0")
+        self.render(CORNELL, *uneven, "--backend", "cpu", name="cpu.exr")
+        self.succeed("compare", "cpu.exr", "tree.exr")
+
     def test_stats(self):
         self.render(CORNELL, "--size", "16x12", "--stats", "s.json")
         stats = json.loads((self.tmp / "s.json").read_text())
