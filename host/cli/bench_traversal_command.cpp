@@ -106,6 +106,7 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
     const bench::EmbreePeer embree(scene);
 #endif
     std::vector<std::unique_ptr<render::SceneBuffers>> buffers;
+    buffers.reserve(devices.size());
     for (const BenchDevice& used : devices) {
         buffers.push_back(
             std::make_unique<render::SceneBuffers>(*used.device, scene.structure, scene.shading));

@@ -94,7 +94,7 @@ struct ChosenPlan {
     unsigned levels; // of the plan to take
 };
 
-constexpr double kMostCells = static_cast<double>(kTableBudget / sizeof(std::uint32_t));
+constexpr double kMostCells = static_cast<double>(kTableBudget) / sizeof(std::uint32_t);
 
 ChosenPlan choosePlan(const Lattice& lattice, const std::span<const LatticeTriangle> corners,
                       const RectilinearDepth depth) {

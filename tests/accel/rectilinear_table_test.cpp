@@ -29,6 +29,7 @@ Made make(const Scene& scene, const RectilinearDepth depth, const bool exitBoxes
     const Lattice lattice =
         makeLattice(boundsOf(scene), static_cast<std::uint32_t>(triangles.size()), {}).lattice;
     std::vector<LatticeTriangle> corners;
+    corners.reserve(triangles.size());
     for (const TriangleRecord& triangle : triangles) {
         corners.push_back({toLattice(lattice, triangle.v0), toLattice(lattice, triangle.v1),
                            toLattice(lattice, triangle.v2)});
