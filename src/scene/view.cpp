@@ -17,6 +17,21 @@ constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
 // Half the picture's height at distance 1, of a perspective camera.
 float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
 
+void checkLens(const CameraOptions& options) {
+    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    if (!(options.apertureRadius >= 0.0f && std::isfinite(options.apertureRadius))) {
+        refuse(fmt::format("an aperture's radius of {}: give world units, 0 for a pinhole",
+                           options.apertureRadius));
+    }
+    // Its inverse is to be finite.
+    if (!(options.focusDistance >= std::numeric_limits<float>::min())) {
+        refuse(fmt::format("a focus distance of {}: give world units above 0", options.focusDistance));
+    }
+    if (options.isPanorama && options.apertureRadius > 0.0f) {
+        refuse("a panorama is taken without a lens: leave out the aperture");
+    }
+}
+
 } // namespace
 
 const SceneCamera& selectCamera(const Scene& scene, const std::string& selection) {
@@ -78,7 +93,9 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
     return camera;
 }
 
-Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const std::uint32_t height) {
+Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const std::uint32_t height,
+                  const CameraOptions& options) {
+    checkLens(options);
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const glm::vec3 right = glm::cross(camera.forward, camera.up);
     Camera result{};
@@ -86,10 +103,20 @@ Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const st
     result.forward = camera.forward;
     result.width = width;
     result.height = height;
+    result.pixelFilter = options.pixelFilter;
+    if (options.isPanorama) {
+        result.projection = kProjectionPanorama;
+        result.dirRight = right;
+        result.dirDown = -camera.up;
+        return result;
+    }
     const bool perspective = camera.projection == SceneCamera::Projection::perspective;
     const float half = perspective ? halfHeight(camera.verticalFov) : 0.5f * camera.verticalExtent;
     (perspective ? result.dirRight : result.eyeRight) = right * (half * aspect);
     (perspective ? result.dirDown : result.eyeDown) = camera.up * -half;
+    result.lensRight = right * options.apertureRadius;
+    result.lensDown = camera.up * -options.apertureRadius;
+    result.inverseFocus = 1.0f / options.focusDistance;
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "shared/camera.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace metamarch {
@@ -23,7 +24,19 @@ SceneCamera lookAt(glm::vec3 eye, glm::vec3 target, glm::vec3 up);
 // (width / height). An empty box is looked at as if it were the unit cube.
 SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect);
 
-// `width` and `height` in pixels.
-Camera makeCamera(const SceneCamera& camera, std::uint32_t width, std::uint32_t height);
+// What a picture asks of its camera beyond the scene's. The default is a pinhole whose samples fill their
+// pixel evenly.
+struct CameraOptions {
+    std::uint32_t pixelFilter = kFilterBox;
+    float apertureRadius = 0.0f; // of a thin lens, in world units
+    // From the eye along the view to the plane in focus, in world units; infinite: what is far away.
+    float focusDistance = std::numeric_limits<float>::infinity();
+    bool isPanorama = false; // all directions around the eye, `forward` in the centre of the picture
+};
+
+// `width` and `height` in pixels. Throws Error(badArguments) for a radius or distance out of range, and for a
+// panorama with a lens.
+Camera makeCamera(const SceneCamera& camera, std::uint32_t width, std::uint32_t height,
+                  const CameraOptions& options = {});
 
 } // namespace metamarch

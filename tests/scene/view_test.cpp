@@ -231,5 +231,22 @@ TEST(OrthographicCamera, hasParallelRaysOverItsExtent) {
     }
 }
 
+TEST(CameraLens, refusesWhatNoLensIs) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const auto make = [](const CameraOptions& options) {
+        return makeCamera(slanted(), kWidth, kHeight, options);
+    };
+    for (const float radius : {-1.0f, kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+        expectError(ExitCode::badArguments, "an aperture's radius of ",
+                    [&] { make({.apertureRadius = radius}); });
+    }
+    for (const float distance : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        expectError(ExitCode::badArguments, "a focus distance of ",
+                    [&] { make({.apertureRadius = 1.0f, .focusDistance = distance}); });
+    }
+    expectError(ExitCode::badArguments, "a panorama is taken without a lens",
+                [&] { make({.apertureRadius = 1.0f, .isPanorama = true}); });
+}
+
 } // namespace
 } // namespace metamarch::tests

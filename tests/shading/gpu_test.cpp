@@ -1,9 +1,12 @@
 // The device computes the shared shading functions to the bit as the CPU does.
+#include "camera_case.h"
 #include "kernel_run.h"
 #include "kernels/bsdf.h"
+#include "kernels/camera.h"
 #include "kernels/math.h"
 #include "math_case.h"
 #include "random_bsdf_case.h"
+#include "scene/view.h"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +48,34 @@ TEST(ShadingOnDevice, mathAndSamplesHaveTheBitsOfTheCpu) {
         asked.dimension = whole(random);
     }
     expectSameBits(cases, runKernel<MathAnswer>(mathSpirv, "math", cases));
+}
+
+TEST(ShadingOnDevice, cameraRaysHaveTheBitsOfTheCpu) {
+    std::mt19937 random(18);
+    std::uniform_real_distribution<float> even(0.0f, 0.99999994f);
+    constexpr uint kWidth = 1280;
+    constexpr uint kHeight = 720;
+    std::vector<CameraCase> cases(kCases);
+    for (std::size_t i = 0; i < kCases; ++i) {
+        SceneCamera view = lookAt({even(random), even(random), even(random)}, {even(random), -1.0f, 3.0f},
+                                  {0.0f, 1.0f, 0.0f});
+        view.projection =
+            i & 1u ? SceneCamera::Projection::perspective : SceneCamera::Projection::orthographic;
+        CameraOptions options;
+        options.pixelFilter = static_cast<uint>(i % 3);
+        options.isPanorama = i % 5 == 0;
+        options.apertureRadius = i & 2u && !options.isPanorama ? even(random) : 0.0f;
+        options.focusDistance = 0.1f + 10.0f * even(random);
+        CameraCase& asked = cases[i];
+        asked.camera = makeCamera(view, kWidth, kHeight, options);
+        asked.x = static_cast<uint>(random() % kWidth);
+        asked.y = static_cast<uint>(random() % kHeight);
+        asked.uFilterX = even(random);
+        asked.uFilterY = even(random);
+        asked.uLensX = even(random);
+        asked.uLensY = even(random);
+    }
+    expectSameBits(cases, runKernel<CameraAnswer>(cameraSpirv, "camera", cases));
 }
 
 TEST(ShadingOnDevice, bsdfHasTheBitsOfTheCpu) {
