@@ -2,7 +2,6 @@
 
 #include "error.h"
 #include "image/output_file.h"
-#include "image/tone_mapping.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -85,7 +84,7 @@ void writeExr(const Image& image, const std::filesystem::path& path) {
 // colour stays.
 float unassociated(float color, float alpha) { return alpha > 0.0f && alpha < 1.0f ? color / alpha : color; }
 
-void writePng(const Image& image, const std::filesystem::path& path) {
+void writePng(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
     const auto red = image.findChannel("R");
     const auto green = image.findChannel("G");
     const auto blue = image.findChannel("B");
@@ -99,8 +98,11 @@ void writePng(const Image& image, const std::filesystem::path& path) {
     for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
         const float* values = &image.pixels[pixel * image.channels.size()];
         const float coverage = alpha ? values[*alpha] : 1.0f;
-        for (const std::size_t color : {*red, *green, *blue})
-            bytes.push_back(toSrgb8(unassociated(values[color], coverage)));
+        const glm::vec3 radiance(unassociated(values[*red], coverage), unassociated(values[*green], coverage),
+                                 unassociated(values[*blue], coverage));
+        const glm::vec3 shown = toneMapped(toneMapping, radiance);
+        for (int color = 0; color < 3; ++color)
+            bytes.push_back(toSrgb8(shown[color]));
         if (alpha)
             bytes.push_back(toLinear8(coverage));
     }
@@ -113,14 +115,14 @@ void writePng(const Image& image, const std::filesystem::path& path) {
 
 } // namespace
 
-void writeImage(const Image& image, const std::filesystem::path& path) {
+void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
     if (image.width <= 0 || image.height <= 0 || image.channels.empty() ||
         image.pixels.size() != image.pixelCount() * image.channels.size())
         throw std::invalid_argument("writeImage: size, channels and pixels do not fit together");
     if (formatOf(path) == Format::exr)
         writeExr(image, path);
     else
-        writePng(image, path);
+        writePng(image, path, toneMapping);
 }
 
 void checkWritable(const std::filesystem::path& path) {

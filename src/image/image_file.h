@@ -1,17 +1,19 @@
 // Pictures to and from files. Every failure is an Error of one line that names the file.
 #pragma once
 #include "image/image.h"
+#include "image/tone_mapping.h"
 
 #include <filesystem>
 
 namespace metamarch {
 
 // Writes by the ending of the name; the file appears only when it is complete (see OutputFile).
-//   .exr  every channel under its own name, 32-bit float, zip-compressed; the attributes in the header.
-//   .png  the channels R, G, B and, where there is one, A, tone-mapped to 8-bit sRGB (see tone_mapping.h).
+//   .exr  every channel under its own name, 32-bit float, zip-compressed, linear whatever `toneMapping` says;
+//         the attributes in the header.
+//   .png  the channels R, G, B and, where there is one, A, tone-mapped to 8-bit sRGB.
 // Error(badArguments): another ending, or a PNG of a picture without R, G and B.
 // Error(outputNotWritable): no such folder, no permission, disk full.
-void writeImage(const Image& image, const std::filesystem::path& path);
+void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping = {});
 
 // Throws what writeImage(…, path) would throw for reasons known beforehand: to be called before an expensive
 // render.

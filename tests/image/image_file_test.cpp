@@ -104,6 +104,18 @@ TEST(ImageFile, PngIsToneMapped) {
     EXPECT_EQ(bytesOf(read), (std::vector<int>{118, 255, 0, 255}));
 }
 
+// Neutral takes 0.04 off each colour and leaves alpha; EXR stays linear.
+TEST(ImageFile, OnlyPngIsToneMappedAsAsked) {
+    const TemporaryFolder folder;
+    const ToneMapping neutral = {.toneOperator = ToneOperator::neutral, .exposure = 1.0f};
+    const Image image = flat({"R", "G", "B", "A"}, {0.06f, 0.135f, 0.07f, 0.5f});
+    writeImage(image, folder / "a.png", neutral);
+    EXPECT_EQ(bytesOf(readImage(folder / "a.png")), (std::vector<int>{124, 188, 134, 128}));
+    writeImage(image, folder / "a.exr", neutral);
+    const Image read = readImage(folder / "a.exr");
+    EXPECT_EQ(read.at(0, 0, read.findChannel("G").value()), 0.135f);
+}
+
 TEST(ImageFile, PngWithoutAlphaHasThreeChannels) {
     const TemporaryFolder folder;
     writeImage(flat({"B", "G", "R"}, {1.0f, 0.5f, 0.0f}), folder / "a.png");
