@@ -7,10 +7,16 @@
 
 SHARED_BEGIN
 
-// Of a direction of unit length; u and v in [0, 1].
+// The sine of the angle to the y axis, of a direction of unit length.
+SHARED_FN float mapSine(const vec3 direction) {
+    return sqrt(direction.x * direction.x + direction.z * direction.z);
+}
+
+// Of a direction of unit length; u and v in [0, 1]. By the sine too: near the poles the cosine has lost the
+// angle.
 SHARED_FN vec2 mapPoint(const vec3 direction) {
     return vec2(0.5f + arcTangent(direction.z, direction.x) * (0.5f * kInvPi),
-                arcCosine(direction.y) * kInvPi);
+                arcTangent(mapSine(direction), direction.y) * kInvPi);
 }
 
 SHARED_FN vec3 mapDirection(const vec2 point) {
@@ -19,20 +25,15 @@ SHARED_FN vec3 mapDirection(const vec2 point) {
     return vec3(around.x * down.y, down.x, around.y * down.y);
 }
 
-// Of the map in radians, 2 pi times pi. A literal: glslang folds products of constants in doubles.
-const float kMapArea = 19.7392088021787173f;
+// The area of the map in angles, 2 pi * pi. Written out: glslang multiplies constants in double precision.
+const float kMapArea = 19.7392088021787172f;
 
 // Per solid angle, of a direction in the texel that the two tables draw with these probabilities. `sine` is
-// that of the angle to the y axis: 0 has no density.
+// mapSine's: 0 has no density.
 SHARED_FN float mapDensity(const float rowProbability, const float columnProbability, const uint width,
                            const uint height, const float sine) {
     const float perSquare = rowProbability * columnProbability * float(width) * float(height);
     return sine > 0.0f ? perSquare / (kMapArea * sine) : 0.0f;
-}
-
-// The sine of mapDensity, of a direction of unit length.
-SHARED_FN float mapSine(const vec3 direction) {
-    return sqrt(direction.x * direction.x + direction.z * direction.z);
 }
 
 // Where in the map, from the choices of row and column and what they left over.

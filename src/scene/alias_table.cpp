@@ -2,6 +2,7 @@
 
 #include "shared/math.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -12,14 +13,35 @@ namespace {
 constexpr float kOwnPart = 0.75f;
 constexpr float kNeighbourPart = 0.125f;
 
-float rowLuminance(const Environment& environment, std::uint32_t x, std::uint32_t y) {
-    const std::uint32_t left = x == 0 ? environment.width - 1 : x - 1;
-    const std::uint32_t right = x + 1 == environment.width ? 0 : x + 1;
-    const auto at = [&](std::uint32_t column) {
-        return luminance(environment.texels[std::size_t{y} * environment.width + column]);
-    };
-    return kOwnPart * at(x) + kNeighbourPart * (at(left) + at(right));
-}
+// Luminance in units of the brightest texel: sums of what a file may hold would overflow.
+class Brightness {
+  public:
+    explicit Brightness(const Environment& environment) : environment_(environment) {
+        float largest = 0.0f;
+        for (const glm::vec3& texel : environment.texels) {
+            largest = std::max(largest, luminance(texel * kHeadroom));
+        }
+        scale_ = largest > 0.0f ? 1.0 / largest : 0.0;
+    }
+
+    // Filtered along its row, which closes at the seam.
+    float inRow(std::uint32_t x, std::uint32_t y) const {
+        const std::uint32_t left = x == 0 ? environment_.width - 1 : x - 1;
+        const std::uint32_t right = x + 1 == environment_.width ? 0 : x + 1;
+        return kOwnPart * at(x, y) + kNeighbourPart * (at(left, y) + at(right, y));
+    }
+
+  private:
+    float at(std::uint32_t x, std::uint32_t y) const {
+        const glm::vec3& texel = environment_.texels[std::size_t{y} * environment_.width + x];
+        return static_cast<float>(luminance(texel * kHeadroom) * scale_);
+    }
+
+    static constexpr float kHeadroom = 0.5f; // the luminance of the largest floats
+
+    const Environment& environment_;
+    double scale_;
+};
 
 } // namespace
 
@@ -54,6 +76,8 @@ std::vector<AliasEntry> makeAliasTable(std::span<const float> weights) {
 
 EnvironmentTables makeEnvironmentTables(const Environment& environment) {
     EnvironmentTables tables;
+    tables.columns.reserve(environment.texels.size());
+    const Brightness brightness(environment);
     std::vector<float> rowWeights(environment.height);
     std::vector<float> weights(environment.width);
     for (std::uint32_t y = 0; y < environment.height; ++y) {
@@ -63,9 +87,8 @@ EnvironmentTables makeEnvironmentTables(const Environment& environment) {
         const double solidAngle = std::cos(top) - std::cos(top + M_PI / environment.height);
         double sum = 0.0;
         for (std::uint32_t x = 0; x < environment.width; ++x) {
-            weights[x] =
-                kOwnPart * rowLuminance(environment, x, y) +
-                kNeighbourPart * (rowLuminance(environment, x, above) + rowLuminance(environment, x, below));
+            weights[x] = kOwnPart * brightness.inRow(x, y) +
+                         kNeighbourPart * (brightness.inRow(x, above) + brightness.inRow(x, below));
             sum += weights[x];
         }
         rowWeights[y] = static_cast<float>(sum * solidAngle);

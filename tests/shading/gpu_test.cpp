@@ -3,7 +3,9 @@
 #include "kernel_run.h"
 #include "kernels/bsdf.h"
 #include "kernels/camera.h"
+#include "kernels/light.h"
 #include "kernels/math.h"
+#include "light_case.h"
 #include "math_case.h"
 #include "random_bsdf_case.h"
 #include "scene/view.h"
@@ -76,6 +78,33 @@ TEST(ShadingOnDevice, cameraRaysHaveTheBitsOfTheCpu) {
         asked.uLensY = even(random);
     }
     expectSameBits(cases, runKernel<CameraAnswer>(cameraSpirv, "camera", cases));
+}
+
+TEST(ShadingOnDevice, lightsAndMapsHaveTheBitsOfTheCpu) {
+    std::mt19937 random(19);
+    std::uniform_real_distribution<float> even(0.0f, 0.99999994f);
+    std::normal_distribution<float> normal;
+    const auto direction = [&] { return unitVector(vec3(normal(random), normal(random), normal(random))); };
+    std::vector<LightCase> cases(kCases);
+    for (LightCase& asked : cases) {
+        LightRecord& light = asked.light;
+        light.position = vec3(normal(random), normal(random), normal(random));
+        light.kind = static_cast<uint>(random() % 4);
+        light.direction = direction();
+        light.strength = vec3(even(random), even(random), even(random));
+        const vec2 falloff = makeSpotFalloff(0.5f + 0.5f * even(random), even(random) - 0.5f);
+        light.scale = light.kind == kLightDisc ? 0.1f * even(random) : falloff.x;
+        light.offset = falloff.y;
+        asked.point = vec3(normal(random), normal(random), normal(random));
+        asked.direction = random() % 2 == 0 ? direction() : light.direction;
+        asked.uX = even(random);
+        asked.uY = even(random);
+        asked.keep = even(random);
+        asked.slotCount = 1 + static_cast<uint>(random() % 5000);
+        asked.other = static_cast<uint>(random() % asked.slotCount);
+        asked.density = 0.01f + even(random);
+    }
+    expectSameBits(cases, runKernel<LightAnswer>(lightSpirv, "light", cases));
 }
 
 TEST(ShadingOnDevice, bsdfHasTheBitsOfTheCpu) {

@@ -1,0 +1,131 @@
+// The sky that lights scenes without light: plausible, and free of numbers that are none.
+#include "scene/sky.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+constexpr std::uint32_t kWidth = 64;
+
+Sky skyAt(float elevation, float azimuth = 0.0f, float haze = 1.0f) {
+    return makeSky({.sunElevation = elevation, .sunAzimuth = azimuth, .haze = haze, .width = kWidth});
+}
+
+// On a surface that faces the sun.
+glm::vec3 irradianceOf(const LightRecord& sun) {
+    return sun.strength * static_cast<float>(M_PI * sun.scale * (2.0 - sun.scale));
+}
+
+// On level ground.
+glm::dvec3 skyIrradiance(const Environment& map) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t y = 0; y < map.height / 2; ++y) {
+        const double top = M_PI * y / map.height;
+        const double bottom = M_PI * (y + 1.0) / map.height;
+        const double weight = (std::pow(std::sin(bottom), 2.0) - std::pow(std::sin(top), 2.0)) * M_PI;
+        for (std::uint32_t x = 0; x < map.width; ++x) {
+            sum += glm::dvec3(map.texels[std::size_t{y} * map.width + x]) * (weight / map.width);
+        }
+    }
+    return sum;
+}
+
+TEST(Sky, isFiniteAndNotNegativeUnderEverySun) {
+    for (const float elevation : {-1.5707963f, -0.3f, -0.01f, 0.0f, 1e-4f, 0.1f, 0.8f, 1.5707963f}) {
+        for (const float haze : {0.0f, 1.0f, 20.0f}) {
+            const Sky sky = skyAt(elevation, 2.0f, haze);
+            ASSERT_EQ(sky.environment.width, kWidth);
+            ASSERT_EQ(sky.environment.height, kWidth / 2);
+            ASSERT_EQ(sky.environment.texels.size(), kWidth * kWidth / 2);
+            for (const glm::vec3& texel : sky.environment.texels) {
+                for (int channel = 0; channel < 3; ++channel) {
+                    ASSERT_TRUE(texel[channel] >= 0.0f && std::isfinite(texel[channel]))
+                        << elevation << " " << haze;
+                }
+            }
+            for (int channel = 0; channel < 3; ++channel) {
+                ASSERT_TRUE(sky.sun.strength[channel] >= 0.0f && std::isfinite(sky.sun.strength[channel]));
+            }
+        }
+    }
+}
+
+TEST(Sky, hasTheSunWhereItWasAskedFor) {
+    const LightRecord sun = skyAt(0.5f, 1.2f).sun;
+    EXPECT_EQ(sun.kind, kLightDisc);
+    EXPECT_NEAR(sun.direction.x, std::cos(0.5) * std::cos(1.2), 1e-6);
+    EXPECT_NEAR(sun.direction.y, std::sin(0.5), 1e-6);
+    EXPECT_NEAR(sun.direction.z, std::cos(0.5) * std::sin(1.2), 1e-6);
+    // 0.533 degrees across.
+    EXPECT_NEAR(std::acos(1.0 - double{sun.scale}) * 180.0 / M_PI, 0.2665, 1e-4);
+}
+
+// ASTM G173 gives 900 of 1348 W/m^2 to the sun at an elevation of 42 degrees, a clear day's sky about a
+// tenth.
+TEST(Sky, passesMostSunlightAtNoon) {
+    const Sky sky = skyAt(static_cast<float>(M_PI / 2.0));
+    const glm::vec3 sun = irradianceOf(sky.sun) / static_cast<float>(M_PI);
+    EXPECT_LT(sun.r, 1.0f);
+    EXPECT_GT(sun.b, 0.5f);
+    EXPECT_GT(sun.r, sun.g);
+    EXPECT_GT(sun.g, sun.b);
+    const glm::dvec3 scattered = skyIrradiance(sky.environment) / M_PI;
+    EXPECT_GT(scattered.g, 0.03);
+    EXPECT_LT(scattered.g, 0.3);
+    EXPECT_LT(sun.g + scattered.g, 1.0); // no more light than came
+}
+
+// The haze at the horizon may be brighter still: it is looked for above.
+TEST(Sky, isBlueAboveAndBrightestTowardsTheSun) {
+    const float azimuth = 0.7f;
+    const Environment map = skyAt(0.6f, azimuth).environment;
+    const glm::vec3 zenith = map.texels[kWidth / 2];
+    EXPECT_GT(zenith.b, 1.5f * zenith.r);
+    const auto brightest = std::max_element(map.texels.begin(), map.texels.begin() + kWidth * kWidth / 5,
+                                            [](const glm::vec3& a, const glm::vec3& b) { return a.g < b.g; });
+    const auto index = static_cast<std::size_t>(brightest - map.texels.begin());
+    const double foundAzimuth = (static_cast<double>(index % kWidth) + 0.5) / kWidth * 2.0 * M_PI - M_PI;
+    const double foundElevation =
+        M_PI / 2.0 - (static_cast<double>(index / kWidth) + 0.5) / kWidth * 2.0 * M_PI;
+    EXPECT_NEAR(foundAzimuth, azimuth, 2.0 * M_PI / kWidth);
+    EXPECT_NEAR(foundElevation, 0.6, 4.0 * M_PI / kWidth);
+}
+
+TEST(Sky, reddensAndDimsTheSinkingSun) {
+    glm::vec3 last(1e9f);
+    for (const float elevation : {1.2f, 0.8f, 0.4f, 0.2f, 0.1f, 0.03f, 0.0f}) {
+        const glm::vec3 sun = irradianceOf(skyAt(elevation).sun);
+        EXPECT_LT(sun.r, last.r);
+        EXPECT_LT(sun.b / sun.r, last.b / last.r);
+        last = sun;
+    }
+}
+
+TEST(Sky, hasNoSunBelowTheHorizonAndDarkensAfterIt) {
+    const Sky set = skyAt(-0.05f);
+    EXPECT_EQ(set.sun.strength, glm::vec3(0.0f));
+    EXPECT_GT(skyIrradiance(set.environment).g, 0.0);
+    EXPECT_LT(skyIrradiance(set.environment).g, 0.1 * skyIrradiance(skyAt(0.05f).environment).g);
+    EXPECT_LT(skyIrradiance(skyAt(-1.0f).environment).g, 1e-6);
+}
+
+TEST(Sky, lightsItsGroundAsALambertian) {
+    const SkySettings settings = {
+        .sunElevation = 0.6f, .groundAlbedo = glm::vec3(0.2f, 0.4f, 0.8f), .width = 256};
+    const Sky sky = makeSky(settings);
+    const glm::dvec3 irradiance =
+        skyIrradiance(sky.environment) + glm::dvec3(irradianceOf(sky.sun)) * double{sky.sun.direction.y};
+    const glm::vec3 ground = sky.environment.texels.back();
+    for (int channel = 0; channel < 3; ++channel) {
+        EXPECT_NEAR(ground[channel], settings.groundAlbedo[channel] * irradiance[channel] / M_PI,
+                    2e-3 * ground[channel]);
+    }
+    EXPECT_EQ(sky.environment.texels[std::size_t{256} * 64], ground);
+}
+
+} // namespace
+} // namespace metamarch

@@ -1,0 +1,14 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shading/light_case.h"
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer InputBuffer { LightCase inputs[]; };
+layout(std430, binding = 1) writeonly buffer OutputBuffer { LightAnswer outputs[]; };
+
+void main() {
+    const uint i = gl_GlobalInvocationID.x;
+    if (i < inputs.length()) {
+        outputs[i] = answer(inputs[i]);
+    }
+}

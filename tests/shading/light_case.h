@@ -1,0 +1,66 @@
+// The functions of light.h and environment_map.h on one input, asked of both sides.
+#ifndef METAMARCH_TESTS_SHADING_LIGHT_CASE_H
+#define METAMARCH_TESTS_SHADING_LIGHT_CASE_H
+#include "shared/environment_map.h"
+
+SHARED_BEGIN
+
+struct LightCase {
+    LightRecord light;
+    vec3 point;
+    float uX;
+    vec3 direction; // of unit length
+    float uY;
+    float keep;
+    uint other;
+    uint slotCount;
+    float density;
+};
+
+struct LightAnswer {
+    vec3 wi;
+    float distance;
+    vec3 arriving;
+    float pdf;
+    vec3 corners;
+    float heuristic;
+    vec3 mapDirection;
+    uint chosen;
+    vec2 mapPoint;
+    vec2 mapPointIn;
+    float rest;
+    float mapDensity;
+    float solidAngleDensity;
+    uint hitsDisc;
+};
+
+SHARED_FN LightAnswer answer(const LightCase asked) {
+    const vec2 u = vec2(asked.uX, asked.uY);
+    const LightSample drawn = sampleLight(asked.light, asked.point, u);
+    const AliasEntry entry = AliasEntry(asked.keep, asked.other, asked.density, 0u);
+    const AliasChoice row = chooseAlias(entry, aliasSlot(asked.uX, asked.slotCount));
+    const AliasChoice column = chooseAlias(entry, aliasSlot(asked.uY, 2u * asked.slotCount));
+    LightAnswer found;
+    found.wi = drawn.wi;
+    found.distance = drawn.distance;
+    found.arriving = drawn.arriving;
+    found.pdf = drawn.pdf;
+    found.corners = sampleTriangle(u);
+    found.heuristic = powerHeuristic(asked.density, drawn.distance);
+    found.mapDirection = mapDirection(u);
+    found.chosen = row.index;
+    found.mapPoint = mapPoint(asked.direction);
+    found.mapPointIn = mapPointIn(row, column, 2u * asked.slotCount, asked.slotCount);
+    found.rest = row.rest;
+    found.mapDensity =
+        mapDensity(asked.density, asked.keep, asked.slotCount, asked.other, mapSine(asked.direction));
+    found.solidAngleDensity = solidAngleDensity(asked.density, asked.uX, asked.direction.x);
+    found.hitsDisc = hitsDisc(asked.light, asked.direction) ? 1u : 0u;
+    return found;
+}
+
+SHARED_ASSERT_SIZE(LightCase, 96)
+SHARED_ASSERT_SIZE(LightAnswer, 96)
+
+SHARED_END
+#endif
