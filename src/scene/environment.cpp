@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "image/image_file.h"
+#include "shared/math.h"
 
 #include <fmt/format.h>
 
@@ -36,17 +37,67 @@ float decoded(float value) {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-void checkTexel(const glm::vec3& texel, std::size_t index, const Image& image,
-                const std::filesystem::path& file) {
-    for (int channel = 0; channel < 3; ++channel) {
-        if (!(texel[channel] >= 0.0f && std::isfinite(texel[channel])))
-            throw Error(
-                ExitCode::sceneRefused,
-                fmt::format("{}: texel {},{} has a radiance of {}; an environment's are finite and at "
-                            "least 0",
-                            file.string(), index % static_cast<std::size_t>(image.width),
-                            index / static_cast<std::size_t>(image.width), texel[channel]));
+[[noreturn]] void refuseTexel(const Environment& environment, std::size_t index,
+                              const std::filesystem::path& file, const std::string& reason) {
+    const glm::vec3& texel = environment.texels[index];
+    throw Error(ExitCode::sceneRefused,
+                fmt::format("{}: texel {},{} has a radiance of {} {} {}; {}", file.string(),
+                            index % environment.width, index / environment.width, texel.r, texel.g, texel.b,
+                            reason));
+}
+
+// Light there is, though Rec. 709's primaries cannot mix it. Of all visible light monochromatic cyan asks for
+// the least of one of them, and there it is about as much below 0 as another is above.
+bool isOutsideGamut(const glm::vec3& texel) {
+    return luminance(texel) > 0.0f && -smallest(texel) <= largest(texel);
+}
+
+// Whether a picture that was scaled may be as negative as that next to its light. Lanczos's filter of three
+// lobes, the deepest in use, leaves 0.61 of a point of light in the two texels beside it and -0.135 in the
+// next.
+bool isUndershoot(const Environment& environment, std::size_t index) {
+    constexpr int kReach = 3;
+    constexpr float kDepth = 0.25f;
+    const int width = static_cast<int>(environment.width);
+    const int height = static_cast<int>(environment.height);
+    const int column = static_cast<int>(index % environment.width);
+    const int row = static_cast<int>(index / environment.width);
+    glm::vec3 brightest(0.0f); // in each channel
+    for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, height - 1); ++y) {
+        for (int x = column - kReach; x <= column + kReach; ++x) {
+            const int wrapped = (x % width + width) % width;
+            brightest =
+                glm::max(brightest, environment.texels[static_cast<std::size_t>(y) * environment.width +
+                                                       static_cast<std::size_t>(wrapped)]);
+        }
     }
+    return glm::all(glm::greaterThanEqual(environment.texels[index], -kDepth * brightest));
+}
+
+// Sets negative channels to 0 where they stand for light, refuses the rest.
+void mendNegativeLight(Environment& environment, const std::filesystem::path& file) {
+    std::vector<std::size_t> mended;
+    std::size_t outsideGamut = 0;
+    for (std::size_t i = 0; i < environment.texels.size(); ++i) {
+        const glm::vec3& texel = environment.texels[i];
+        if (smallest(texel) >= 0.0f)
+            continue;
+        if (isOutsideGamut(texel))
+            ++outsideGamut;
+        else if (!isUndershoot(environment, i))
+            refuseTexel(environment, i, file,
+                        "light is not negative, but in colours outside Rec. 709 and beside light four times "
+                        "as bright");
+        mended.push_back(i);
+    }
+    // Afterwards: each was judged by the others as the file has them.
+    for (const std::size_t i : mended)
+        environment.texels[i] = glm::max(environment.texels[i], 0.0f);
+    if (!mended.empty())
+        environment.warnings.push_back(
+            fmt::format("{}: channels below 0 are taken for 0; texels that have them: {} ({} colours outside "
+                        "Rec. 709, {} undershoots of a filter beside brighter light)",
+                        file.string(), mended.size(), outsideGamut, mended.size() - outsideGamut));
 }
 
 } // namespace
@@ -66,9 +117,11 @@ Environment loadEnvironment(const std::filesystem::path& file) {
                 image.pixels[i * image.channels.size() + channels[static_cast<std::size_t>(c)]];
             texel[c] = encoded ? decoded(value) : value;
         }
-        checkTexel(texel, i, image, file);
         environment.texels.push_back(texel);
+        if (!(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b)))
+            refuseTexel(environment, i, file, "light is finite");
     }
+    mendNegativeLight(environment, file);
     return environment;
 }
 

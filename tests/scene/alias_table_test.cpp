@@ -92,7 +92,11 @@ TEST(AliasTable, ofZerosDrawsAllAlike) {
 TEST(AliasTable, ofNothingIsEmpty) { EXPECT_TRUE(makeAliasTable({}).empty()); }
 
 Environment flat(std::uint32_t width, std::uint32_t height, float radiance) {
-    return {width, height, std::vector<glm::vec3>(std::size_t{width} * height, glm::vec3(radiance))};
+    Environment map;
+    map.width = width;
+    map.height = height;
+    map.texels.assign(std::size_t{width} * height, glm::vec3(radiance));
+    return map;
 }
 
 TEST(EnvironmentTables, drawTheWholeSphereAlikeWhereTheLightIs) {

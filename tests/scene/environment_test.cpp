@@ -8,6 +8,7 @@
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,16 +59,68 @@ TEST_F(EnvironmentTest, EncodedPicturesAreDecoded) {
     EXPECT_NEAR(sky.texels[0].b, 0.5028864f, 1e-6f); // IEC 61966-2-1 of 188 / 255
 }
 
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// 9 x 5 of grey 1, but for one texel.
+std::vector<float> greyBut(const glm::vec3& odd, int x, int y) {
+    std::vector<float> pixels(3 * 9 * 5, 1.0f);
+    for (int channel = 0; channel < 3; ++channel)
+        pixels[static_cast<std::size_t>(3 * (y * 9 + x) + channel)] = odd[channel];
+    return pixels;
+}
+
 TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
-    for (const float bad :
-         {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
-          -std::numeric_limits<float>::infinity()}) {
-        std::vector<float> pixels(3 * 6, 1.0f);
-        pixels[3 * 5 + 1] = bad;
-        const std::filesystem::path file = writeExr({"R", "G", "B"}, pixels, 3);
-        expectError(ExitCode::sceneRefused, file.string() + ": texel 2,1 has a radiance of ",
+    for (const glm::vec3& bad :
+         {glm::vec3(-1.0f), glm::vec3(0.5f, -1.0f, 0.5f), glm::vec3(-0.5f, -0.1f, -0.1f),
+          glm::vec3(-1.0f, 0.9f, 0.0f), glm::vec3(1.0f, -0.3f, 0.0f), glm::vec3(1.0f, kInfinity, 1.0f),
+          glm::vec3(kNan, 1.0f, 1.0f), glm::vec3(1.0f, 1.0f, -kInfinity)}) {
+        const std::filesystem::path file = writeExr({"R", "G", "B"}, greyBut(bad, 2, 1), 9);
+        expectError(ExitCode::sceneRefused,
+                    fmt::format("{}: texel 2,1 has a radiance of {} {} {}; light is ", file.string(), bad.r,
+                                bad.g, bad.b),
                     [&] { loadEnvironment(file); });
     }
+    for (const glm::vec3& everywhere : {glm::vec3(-1.0f), glm::vec3(0.5f, -1.0f, 0.5f), glm::vec3(-1e-30f)}) {
+        std::vector<float> pixels;
+        for (int i = 0; i < 8; ++i)
+            pixels.insert(pixels.end(), {everywhere.r, everywhere.g, everywhere.b});
+        const std::filesystem::path file = writeExr({"R", "G", "B"}, pixels, 4);
+        expectError(ExitCode::sceneRefused, ": texel 0,0 has a radiance of ", [&] { loadEnvironment(file); });
+    }
+}
+
+TEST_F(EnvironmentTest, ColoursOutsideRec709LoseTheirNegativeChannel) {
+    // Rec. 2020's green, and monochromatic light of 490 nm, in Rec. 709.
+    for (const glm::vec3& color : {glm::vec3(-0.588f, 1.133f, -0.101f), glm::vec3(-0.448f, 0.379f, 0.451f)}) {
+        const std::filesystem::path file = writeExr({"R", "G", "B"}, greyBut(color, 4, 2), 9);
+        const Environment sky = loadEnvironment(file);
+        EXPECT_EQ(sky.texels[2 * 9 + 4], glm::max(color, 0.0f));
+        EXPECT_EQ(sky.warnings, std::vector<std::string>({file.string() +
+                                                          ": channels below 0 are taken for 0; texels that "
+                                                          "have them: 1 (1 colours outside Rec. 709, 0 "
+                                                          "undershoots of a filter beside brighter light)"}));
+    }
+    EXPECT_TRUE(loadEnvironment(writeExr({"R", "G", "B"}, greyBut({1, 0, 1}, 4, 2), 9)).warnings.empty());
+}
+
+TEST_F(EnvironmentTest, UndershootBesideBrighterLightBecomesBlack) {
+    // A point of light between two texels, scaled by Lanczos's filter of three lobes, over the seam.
+    const std::vector<float> lobes = {0.0243f, -0.1351f, 0.6079f, 0.6079f, -0.1351f, 0.0243f};
+    const std::size_t width = 16;
+    std::vector<float> pixels(width * 3, 0.0f);
+    for (std::size_t y = 0; y < 3; ++y) {
+        for (std::size_t i = 0; i < lobes.size(); ++i)
+            pixels[y * width + (i + 14) % width] = (y == 1 ? 1.0f : -0.2f) * lobes[i];
+    }
+    const Environment sky = loadEnvironment(writeExr({"Y"}, pixels, width));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        EXPECT_EQ(sky.texels[i], glm::vec3(std::max(pixels[i], 0.0f))) << i;
+    EXPECT_EQ(sky.warnings.size(), 1u);
+    // The same depth far from the light is no undershoot.
+    pixels[width + 8] = -0.1351f;
+    expectError(ExitCode::sceneRefused, ": texel 8,1 has a radiance of -0.1351",
+                [&] { loadEnvironment(writeExr({"Y"}, pixels, width)); });
 }
 
 TEST_F(EnvironmentTest, UnreadableOnesAreNamed) {
@@ -85,8 +138,14 @@ TEST(SharedScenes, Environments) {
     const auto folder = tests::sharedScenes();
     if (!folder)
         return;
-    expectError(ExitCode::sceneRefused, "pmndrs-venice.exr: texel 59,102 has a radiance of -0.00993",
-                [&] { loadEnvironment(*folder / "hdr/pmndrs-venice.exr"); });
+    const Environment venice =
+        loadEnvironment(*folder / "hdr/pmndrs-venice.exr"); // was scaled, with a deep filter
+    ASSERT_EQ(venice.warnings.size(), 1u);
+    EXPECT_NE(
+        venice.warnings[0].find("texels that have them: 233 (91 colours outside Rec. 709, 142 undershoots"),
+        std::string::npos)
+        << venice.warnings[0];
+    EXPECT_GE(std::ranges::min(venice.texels, {}, [](const glm::vec3& t) { return t.b; }).b, 0.0f);
     const Environment esplanade = loadEnvironment(*folder / "hdr/royal_esplanade_1k.hdr");
     EXPECT_EQ(esplanade.texels.size(), 1024u * 512u);
     const auto brightest = std::ranges::max(esplanade.texels, {}, [](const glm::vec3& t) { return t.g; });

@@ -54,9 +54,17 @@ TEST(EnvironmentMap, directionAndPointAreInverse) {
     }
 }
 
+Environment flat(uint width, uint height, vec3 radiance) {
+    Environment map;
+    map.width = width;
+    map.height = height;
+    map.texels.assign(std::size_t{width} * height, radiance);
+    return map;
+}
+
 // A dim map with one texel that outshines all others together.
 Environment brightTexel() {
-    Environment map = {8, 4, std::vector<glm::vec3>(32, glm::vec3(0.1f, 0.2f, 0.3f))};
+    Environment map = flat(8, 4, vec3(0.1f, 0.2f, 0.3f));
     map.texels[2 * 8 + 5] = glm::vec3(50.0f);
     map.texels[0] = glm::vec3(0.0f);
     return map;
@@ -101,7 +109,7 @@ class DrawnMap {
 };
 
 TEST(EnvironmentMap, isDrawnByItsDensity) {
-    for (const Environment& map : {brightTexel(), Environment{1, 1, {glm::vec3(1.0f)}}}) {
+    for (const Environment& map : {brightTexel(), flat(1, 1, vec3(1.0f))}) {
         const DrawnMap drawn(map);
         std::mt19937 random(32);
         const auto draw = [&] {
