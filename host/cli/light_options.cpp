@@ -63,6 +63,9 @@ Surroundings LightOptions::load(const std::string& scenePath, const bool sceneHa
         result.background = glm::vec3(parsePoint("--background", background));
     } else if (!environment.empty()) {
         result.environment = loadEnvironment(environment);
+        for (const std::string& warning : result.environment->warnings) {
+            printWarning(warning);
+        }
     } else if (sky || !sun.empty() || !sceneHasLight) {
         if (!sky && sun.empty()) {
             printWarning(fmt::format("{}: no light; it gets the clear sky of --sky", scenePath));

@@ -8,7 +8,9 @@
 #include "cli/scene_options.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
+#include "cli/tone_options.h"
 #include "cli/version.h"
+#include "cli/view_options.h"
 #include "cli/warnings.h"
 #include "error.h"
 #include "image/image_file.h"
@@ -24,7 +26,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 namespace metamarch::cli {
@@ -37,11 +38,8 @@ struct RenderOptions {
     std::string scenePath;
     std::string outputPath;
     std::string size = "1280x720";
-    std::string camera;
-    std::string eye;
-    std::string target;
-    std::string up;
-    std::optional<double> verticalFov; // degrees
+    ViewOptions camera;
+    ToneOptions tone;
     std::string backend = "gpu";
     std::string device;
     std::string traversal;
@@ -55,43 +53,16 @@ struct RenderOptions {
 };
 
 void checkArguments(const RenderOptions& options) {
-    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
-    if (options.eye.empty() != options.target.empty()) {
-        refuse("--eye and --target belong together");
-    }
-    if (!options.camera.empty() && !options.eye.empty()) {
-        refuse("--camera and --eye exclude each other");
-    }
-    if (!options.up.empty() && options.eye.empty()) {
-        refuse("--up needs --eye and --target");
-    }
-    if (options.verticalFov && !(*options.verticalFov > 0.0 && *options.verticalFov < 180.0)) {
-        refuse(fmt::format("--vfov {}: give degrees between 0 and 180", *options.verticalFov));
-    }
     if (options.backend == "cpu" && !(options.device.empty() && options.traversal.empty())) {
-        refuse("--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
-               "for the gpu");
+        throw Error(
+            ExitCode::badArguments,
+            "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
+            "for the gpu");
     }
-}
-
-SceneCamera chooseCamera(const RenderOptions& options, const Scene& scene, const glm::uvec2 size) {
-    const auto verticalFov =
-        options.verticalFov
-            ? std::optional(static_cast<float>(*options.verticalFov * std::numbers::pi / 180.0))
-            : std::nullopt;
-    SceneCamera camera;
-    if (!options.eye.empty()) {
-        const std::string up = options.up.empty() ? "0,1,0" : options.up;
-        camera = lookAt(parsePoint("--eye", options.eye), parsePoint("--target", options.target),
-                        parsePoint("--up", up));
-    } else if (!options.camera.empty() || !scene.cameras.empty()) {
-        camera = selectCamera(scene, options.camera.empty() ? "0" : options.camera);
-    } else {
-        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-        return frameBounds(boundsOf(scene), verticalFov.value_or(kDefaultVerticalFov), aspect);
-    }
-    camera.verticalFov = verticalFov.value_or(camera.verticalFov);
-    return camera;
+    options.camera.check(options.integrator);
+    options.path.check();
+    options.light.check();
+    options.tone.check();
 }
 
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -153,8 +124,6 @@ Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
 
 void runRender(const RenderOptions& options) {
     checkArguments(options);
-    options.path.check();
-    options.light.check();
     const glm::uvec2 size = parseSize("--size", options.size);
     const AccelerationOptions structureOptions = options.structure.parse();
     checkWritable(options.outputPath);
@@ -180,8 +149,8 @@ void runRender(const RenderOptions& options) {
 
     const Scene scene = loadScene(options.scenePath, options.scene.parse());
     printWarnings(scene);
-    const SceneCamera sceneCamera = chooseCamera(options, scene, size);
-    const Camera camera = makeCamera(sceneCamera, size.x, size.y);
+    const SceneCamera sceneCamera = options.camera.choose(scene, size);
+    const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.camera.parse());
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
     printWarnings(scene, structure);
     const RenderJob job{scene, structure, camera, device ? &*device : nullptr, traversal, options.quiet};
@@ -189,7 +158,7 @@ void runRender(const RenderOptions& options) {
 
     addHeader(rendering.image, options, sceneCamera, rendering);
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
-    writeImage(rendering.image, options.outputPath);
+    writeImage(rendering.image, options.outputPath, options.tone.parse(options.integrator));
     if (!options.statsPath.empty()) {
         // A driver may call its device by bytes that are no UTF-8.
         writeText(options.statsPath,
@@ -216,18 +185,8 @@ void addRenderCommand(CLI::App& program) {
     command->add_option("--stats", options->statsPath, "Write what it took as JSON")->type_name("FILE.json");
     command->add_flag("--quiet", options->quiet, "Print nothing but errors and warnings");
 
-    const std::string cameraGroup = "Camera (default: the scene's first, else the whole scene is framed)";
-    const auto addCameraOption = [&](const char* name, std::string& value, const char* help,
-                                     const char* type) {
-        command->add_option(name, value, help)->type_name(type)->group(cameraGroup);
-    };
-    addCameraOption("--camera", options->camera, "A camera of the scene", "NAME|INDEX");
-    addCameraOption("--eye", options->eye, "Look from here", "x,y,z");
-    addCameraOption("--target", options->target, "to there", "x,y,z");
-    addCameraOption("--up", options->up, "with this direction upwards (default 0,1,0)", "x,y,z");
-    command->add_option("--vfov", options->verticalFov, "Vertical field of view, of a perspective camera")
-        ->type_name("DEG")
-        ->group(cameraGroup);
+    options->camera.addTo(*command);
+    options->tone.addTo(*command);
 
     const std::string deviceGroup = "Device";
     command

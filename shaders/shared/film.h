@@ -71,8 +71,8 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     return added;
 }
 
-SHARED_ASSERT_SIZE(PathInput, 176)
-SHARED_ASSERT_OFFSET(PathInput, settings, 96)
+SHARED_ASSERT_SIZE(PathInput, 208)
+SHARED_ASSERT_OFFSET(PathInput, settings, 128)
 SHARED_ASSERT_SIZE(PathPush, 16)
 SHARED_ASSERT_SIZE(FilmPixel, 112)
 SHARED_ASSERT_OFFSET(FilmPixel, albedo, 16)
