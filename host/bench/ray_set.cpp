@@ -30,6 +30,7 @@ std::vector<RayQuery> axisViewRays(const Scene& scene, const float diagonals, co
 
 std::vector<std::string> raySetNames() {
     std::vector<std::string> names;
+    names.reserve(kRaySets.size());
     for (const RaySetKind& kind : kRaySets) {
         names.emplace_back(kind.name);
     }

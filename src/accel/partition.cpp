@@ -119,6 +119,7 @@ void checkListing(const Lattice& lattice, const LeafList& list,
                   const std::span<const LatticeTriangle> corners,
                   const std::span<const std::uint32_t> triangleIds) {
     std::vector<CellBox> boxes;
+    boxes.reserve(list.leaves.size());
     for (const Leaf& leaf : list.leaves) {
         boxes.push_back(boxOf(leaf));
     }
