@@ -40,6 +40,7 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
                     fmt::format("--camera {}: the scene has no camera; use --eye and --target", selection));
     }
     std::vector<std::string> names;
+    names.reserve(scene.cameras.size());
     for (const SceneCamera& camera : scene.cameras) {
         names.push_back(camera.name);
     }

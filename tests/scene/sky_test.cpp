@@ -88,11 +88,13 @@ TEST(Sky, isBlueAboveAndBrightestTowardsTheSun) {
     const auto brightest = std::max_element(map.texels.begin(), map.texels.begin() + kWidth * kWidth / 5,
                                             [](const glm::vec3& a, const glm::vec3& b) { return a.g < b.g; });
     const auto index = static_cast<std::size_t>(brightest - map.texels.begin());
-    const double foundAzimuth = (static_cast<double>(index % kWidth) + 0.5) / kWidth * 2.0 * M_PI - M_PI;
-    const double foundElevation =
-        M_PI / 2.0 - (static_cast<double>(index / kWidth) + 0.5) / kWidth * 2.0 * M_PI;
-    EXPECT_NEAR(foundAzimuth, azimuth, 2.0 * M_PI / kWidth);
-    EXPECT_NEAR(foundElevation, 0.6, 4.0 * M_PI / kWidth);
+    const std::size_t column = index % kWidth;
+    const std::size_t row = index / kWidth;
+    const double texel = 2.0 * M_PI / kWidth; // radians
+    const double foundAzimuth = (static_cast<double>(column) + 0.5) * texel - M_PI;
+    const double foundElevation = M_PI / 2.0 - (static_cast<double>(row) + 0.5) * texel;
+    EXPECT_NEAR(foundAzimuth, azimuth, texel);
+    EXPECT_NEAR(foundElevation, 0.6, 2.0 * texel);
 }
 
 TEST(Sky, reddensAndDimsTheSinkingSun) {

@@ -13,7 +13,7 @@ namespace metamarch {
 namespace {
 
 constexpr int kDraws = 200'000;
-constexpr int kCells = 64;
+constexpr std::size_t kCells = 64;
 constexpr int kTests = 7; // of chi-square in this file
 constexpr std::uint32_t kWidth = 64;
 constexpr std::uint32_t kHeight = 48;
@@ -51,14 +51,14 @@ TEST(PixelFilter, drawsByItsWeightInBothAxes) {
         std::mt19937 random(8);
         std::uniform_real_distribution<float> even(0.0f, 0.99999994f);
         for (int axis = 0; axis < 2; ++axis) {
-            Histogram histogram{std::vector<double>(kCells), std::vector<double>(kCells)};
+            Histogram histogram = evenHistogram(kCells, kDraws);
             for (int i = 0; i < kDraws; ++i) {
                 const float u = even(random);
                 const vec2 offset = sampleFilter(filter.kind, axis == 0 ? vec2(u, 0.5f) : vec2(0.5f, u));
                 ASSERT_EQ(offset[1 - axis], 0.0f);
                 const double place = (offset[axis] / filter.radius + 1.0) / 2.0;
                 ASSERT_TRUE(place >= 0.0 && place <= 1.0) << offset[axis];
-                histogram.observed[static_cast<std::size_t>(std::min(place * kCells, kCells - 1.0))] += 1.0;
+                histogram.observed[partOf(place, kCells)] += 1.0;
             }
             for (std::size_t cell = 0; cell < kCells; ++cell) {
                 const auto edge = [&](std::size_t i) {
@@ -84,19 +84,18 @@ TEST(PixelFilter, invertsItsDistribution) {
 TEST(Lens, isADiscEvenlyFilled) {
     std::mt19937 random(9);
     std::uniform_real_distribution<float> even(0.0f, 0.99999994f);
-    constexpr int kRings = 10;
-    constexpr int kSectors = 24;
-    Histogram histogram{std::vector<double>(kRings * kSectors),
-                        std::vector<double>(kRings * kSectors, kDraws / double{kRings * kSectors})};
+    constexpr std::size_t kRings = 10;
+    constexpr std::size_t kSectors = 24;
+    Histogram histogram = evenHistogram(kRings * kSectors, kDraws);
     for (int i = 0; i < kDraws; ++i) {
         const float first = even(random);
         const vec2 point = sampleDisc(vec2(first, even(random)));
         const double square = point.x * point.x + point.y * point.y;
         ASSERT_LE(square, 1.0 + 1e-6);
         const double turn = std::atan2(point.y, point.x) / (2.0 * M_PI) + 0.5;
-        const int ring = std::min(static_cast<int>(square * kRings), kRings - 1);
-        const int sector = std::min(static_cast<int>(turn * kSectors), kSectors - 1);
-        histogram.observed[static_cast<std::size_t>(ring * kSectors + sector)] += 1.0;
+        const std::size_t ring = partOf(square, kRings);
+        const std::size_t sector = partOf(turn, kSectors);
+        histogram.observed[ring * kSectors + sector] += 1.0;
     }
     EXPECT_GT(chiSquareProbability(histogram), significanceOf(kTests));
     EXPECT_EQ(sampleDisc(vec2(0.5f, 0.5f)), vec2(0.0f));

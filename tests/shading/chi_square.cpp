@@ -65,6 +65,15 @@ double upperTail(double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); }
 
 } // namespace
 
+Histogram evenHistogram(std::size_t cells, int samples) {
+    return {std::vector<double>(cells), std::vector<double>(cells, samples / static_cast<double>(cells))};
+}
+
+std::size_t partOf(double place, std::size_t parts) {
+    const double part = std::floor(place * static_cast<double>(parts));
+    return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(parts - 1)));
+}
+
 double chiSquareProbability(const Histogram& histogram) {
     std::vector<std::size_t> order(histogram.expected.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,6 +14,12 @@ struct Histogram {
     std::vector<double> observed;
     std::vector<double> expected;
 };
+
+// Nothing observed yet, `samples` expected evenly over all cells.
+Histogram evenHistogram(std::size_t cells, int samples);
+
+// Into which of that many equal parts of [0, 1] `place` falls; into the outermost from beyond.
+std::size_t partOf(double place, std::size_t parts);
 
 // The probability that samples of the expected distribution differ as much as these do. Cells expected to
 // hold fewer than 5 are put together, smallest first.

@@ -32,7 +32,7 @@ TEST(PowerHeuristic, weightsOfBothWaysSumToOne) {
 TEST(AliasChoice, leavesANumberAsGoodAsNew) {
     constexpr uint kSlots = 4;
     constexpr float kKeep = 0.375f;
-    constexpr int kParts = 16;
+    constexpr std::size_t kParts = 16;
     std::vector<int> keptParts(kParts);
     std::vector<int> givenParts(kParts);
     for (uint i = 0; i < 1u << 20; ++i) {
@@ -43,12 +43,11 @@ TEST(AliasChoice, leavesANumberAsGoodAsNew) {
         ASSERT_EQ(choice.index, slot.within < kKeep ? slot.index : 7u);
         ASSERT_TRUE(choice.rest >= 0.0f && choice.rest < 1.0f);
         auto& parts = choice.index == 7u ? givenParts : keptParts;
-        ++parts[static_cast<std::size_t>(choice.rest * kParts)];
+        ++parts[partOf(choice.rest, kParts)];
     }
-    for (int part = 0; part < kParts; ++part) {
-        EXPECT_NEAR(keptParts[static_cast<std::size_t>(part)], (1 << 20) * kKeep / kParts, kSlots + 1.0);
-        EXPECT_NEAR(givenParts[static_cast<std::size_t>(part)], (1 << 20) * (1.0f - kKeep) / kParts,
-                    kSlots + 1.0);
+    for (std::size_t part = 0; part < kParts; ++part) {
+        EXPECT_NEAR(keptParts[part], (1 << 20) * kKeep / kParts, kSlots + 1.0);
+        EXPECT_NEAR(givenParts[part], (1 << 20) * (1.0f - kKeep) / kParts, kSlots + 1.0);
     }
 }
 
@@ -68,20 +67,19 @@ TEST(AliasChoice, staysInsideItsTable) {
 
 TEST(TriangleSample, isUniformInArea) {
     // Cells of equal area: strips of equal area from the third corner, cut evenly.
-    constexpr int kStrips = 12;
-    constexpr int kParts = 12;
+    constexpr std::size_t kStrips = 12;
+    constexpr std::size_t kParts = 12;
     std::mt19937 random(21);
-    Histogram histogram{std::vector<double>(kStrips * kParts),
-                        std::vector<double>(kStrips * kParts, kDraws / double{kStrips * kParts})};
+    Histogram histogram = evenHistogram(kStrips * kParts, kDraws);
     for (int i = 0; i < kDraws; ++i) {
         const float first = drawFrom(random);
         const vec3 corners = sampleTriangle(vec2(first, drawFrom(random)));
         ASSERT_GE(smallest(corners), 0.0f);
         ASSERT_NEAR(corners.x + corners.y + corners.z, 1.0f, 1e-6f);
         const double away = 1.0 - corners.z; // from the third corner; the area up to there is its square
-        const int strip = std::min(static_cast<int>(away * away * kStrips), kStrips - 1);
-        const int part = away > 0.0 ? std::min(static_cast<int>(corners.x / away * kParts), kParts - 1) : 0;
-        histogram.observed[static_cast<std::size_t>(strip * kParts + part)] += 1.0;
+        const std::size_t strip = partOf(away * away, kStrips);
+        const std::size_t part = away > 0.0 ? partOf(corners.x / away, kParts) : 0;
+        histogram.observed[strip * kParts + part] += 1.0;
     }
     EXPECT_GT(chiSquareProbability(histogram), significanceOf(kTests));
 }
@@ -197,13 +195,12 @@ TEST(DiscLight, isHitByTheDirectionsItDraws) {
 }
 
 TEST(DiscLight, isDrawnEvenly) {
-    constexpr int kRings = 10;
-    constexpr int kSectors = 16;
+    constexpr std::size_t kRings = 10;
+    constexpr std::size_t kSectors = 16;
     const LightRecord light = disc(0.8, vec3(0.3f, 0.2f, 1.0f));
     const Basis around = basisAround(light.direction);
     std::mt19937 random(23);
-    Histogram histogram{std::vector<double>(kRings * kSectors),
-                        std::vector<double>(kRings * kSectors, kDraws / double{kRings * kSectors})};
+    Histogram histogram = evenHistogram(kRings * kSectors, kDraws);
     for (int i = 0; i < kDraws; ++i) {
         const float first = drawFrom(random);
         const vec3 wi = sampleLight(light, vec3(0.0f), vec2(first, drawFrom(random))).wi;
@@ -211,9 +208,9 @@ TEST(DiscLight, isDrawnEvenly) {
             (1.0 - dotProduct(wi, light.direction)) / light.scale; // the cap's area inside
         const double turn =
             std::atan2(dotProduct(wi, around.bitangent), dotProduct(wi, around.tangent)) / (2.0 * M_PI) + 0.5;
-        const int ring = std::clamp(static_cast<int>(outwards * kRings), 0, kRings - 1);
-        const int sector = std::min(static_cast<int>(turn * kSectors), kSectors - 1);
-        histogram.observed[static_cast<std::size_t>(ring * kSectors + sector)] += 1.0;
+        const std::size_t ring = partOf(outwards, kRings);
+        const std::size_t sector = partOf(turn, kSectors);
+        histogram.observed[ring * kSectors + sector] += 1.0;
     }
     EXPECT_GT(chiSquareProbability(histogram), significanceOf(kTests));
 }
