@@ -63,10 +63,12 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // 9 x 5 of grey 1, but for one texel.
-std::vector<float> greyBut(const glm::vec3& odd, int x, int y) {
-    std::vector<float> pixels(3 * 9 * 5, 1.0f);
-    for (int channel = 0; channel < 3; ++channel)
-        pixels[static_cast<std::size_t>(3 * (y * 9 + x) + channel)] = odd[channel];
+std::vector<float> greyBut(const glm::vec3& odd, std::size_t x, std::size_t y) {
+    std::vector<float> pixels(std::size_t{3} * 9 * 5, 1.0f);
+    float* const texel = &pixels[3 * (y * 9 + x)];
+    texel[0] = odd.r;
+    texel[1] = odd.g;
+    texel[2] = odd.b;
     return pixels;
 }
 

@@ -8,8 +8,8 @@
 namespace metamarch {
 namespace {
 
-constexpr int kRows = 20;
-constexpr int kColumns = 40;
+constexpr std::size_t kRows = 20;
+constexpr std::size_t kColumns = 40;
 constexpr double kLeastExpected = 5.0;
 
 glm::vec3 directionAt(double cosine, double azimuth) {
@@ -106,29 +106,28 @@ double significanceOf(int tests) { return 1.0 - std::pow(1.0 - 0.001, 1.0 / test
 
 Histogram sphereHistogram(int count, const std::function<DrawnDirection()>& draw,
                           const std::function<double(glm::vec3)>& density) {
-    const auto cells = static_cast<std::size_t>(kRows * kColumns);
-    Histogram histogram{std::vector<double>(cells + 1), std::vector<double>(cells + 1)};
+    constexpr std::size_t kCells = kRows * kColumns;
+    Histogram histogram{std::vector<double>(kCells + 1), std::vector<double>(kCells + 1)};
     for (int i = 0; i < count; ++i) {
         const DrawnDirection drawn = draw();
-        const double row = (drawn.direction.z + 1.0) / 2.0 * kRows;
         const double azimuth = std::atan2(drawn.direction.y, drawn.direction.x);
-        const double column = (azimuth / (2.0 * M_PI) + 0.5) * kColumns;
-        const int cell = std::clamp(static_cast<int>(row), 0, kRows - 1) * kColumns +
-                         std::clamp(static_cast<int>(column), 0, kColumns - 1);
-        histogram.observed[drawn.isCounted ? static_cast<std::size_t>(cell) : cells] += 1.0;
+        const std::size_t cell = partOf((drawn.direction.z + 1.0) / 2.0, kRows) * kColumns +
+                                 partOf(azimuth / (2.0 * M_PI) + 0.5, kColumns);
+        histogram.observed[drawn.isCounted ? cell : kCells] += 1.0;
     }
     double all = 0.0;
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            const Rectangle cell{2.0 * row / kRows - 1.0, (2.0 * column / kColumns - 1.0) * M_PI, 2.0 / kRows,
+    for (std::size_t row = 0; row < kRows; ++row) {
+        for (std::size_t column = 0; column < kColumns; ++column) {
+            const Rectangle cell{2.0 * static_cast<double>(row) / kRows - 1.0,
+                                 (2.0 * static_cast<double>(column) / kColumns - 1.0) * M_PI, 2.0 / kRows,
                                  2.0 * M_PI / kColumns};
             // A fifth of a sample per cell at most is left to the quadrature.
             const double part = integral(density, cell, gauss(density, cell), 0.2 / count, 9);
-            histogram.expected[static_cast<std::size_t>(row * kColumns + column)] = part * count;
+            histogram.expected[row * kColumns + column] = part * count;
             all += part;
         }
     }
-    histogram.expected[cells] = std::max(1.0 - all, 0.0) * count;
+    histogram.expected[kCells] = std::max(1.0 - all, 0.0) * count;
     return histogram;
 }
 

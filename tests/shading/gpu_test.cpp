@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <random>
 
 namespace metamarch::vulkan {
@@ -23,11 +25,11 @@ constexpr std::size_t kCases = 1u << 16;
 // Compares every byte with what the CPU answers.
 template <class Case, class Answer>
 void expectSameBits(const std::vector<Case>& cases, const std::vector<Answer>& answers) {
+    using Words = std::array<std::uint32_t, sizeof(Answer) / sizeof(std::uint32_t)>;
     std::size_t different = 0;
     std::size_t first = 0;
     for (std::size_t i = cases.size(); i-- > 0;) {
-        const Answer expected = answer(cases[i]);
-        if (std::memcmp(&expected, &answers[i], sizeof expected) != 0) {
+        if (std::bit_cast<Words>(answer(cases[i])) != std::bit_cast<Words>(answers[i])) {
             ++different;
             first = i;
         }
