@@ -102,10 +102,15 @@ nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure
     return stats;
 }
 
+// What glows by a texture of strength 1 is a lit display, and no lamp to see a scene by.
+bool isLamp(const Material& material) {
+    const bool isPainted = material.emissiveTexture.texture != kNoTexture;
+    return material.emissiveFactor != glm::vec3(0.0f) && (!isPainted || material.emissiveStrength > 1.0f);
+}
+
 bool hasLight(const Scene& scene) {
     return !scene.lights.empty() || std::ranges::any_of(scene.triangleMaterial, [&](const std::uint32_t id) {
-        return id != kNoMaterial &&
-               (scene.materials[id].unlit || scene.materials[id].emissiveFactor != glm::vec3(0.0f));
+        return id != kNoMaterial && isLamp(scene.materials[id]);
     });
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -45,13 +46,30 @@ std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const Scene& scen
     return corners;
 }
 
+// The median of the triangles' longest edges.
+double typicalEdgeOf(const Scene& scene, const std::vector<std::uint32_t>& ids) {
+    if (ids.empty()) {
+        return 0.0;
+    }
+    std::vector<float> edges(ids.size());
+    tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
+        const glm::vec3 a = corner(scene, ids[i], 0);
+        const glm::vec3 b = corner(scene, ids[i], 1);
+        const glm::vec3 c = corner(scene, ids[i], 2);
+        edges[i] = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    });
+    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+    std::ranges::nth_element(edges, middle);
+    return *middle;
+}
+
 // Chooses the lattice and builds the tree on it; returns the triangles in its space.
 std::vector<LatticeTriangle> layTree(const Scene& scene, const std::vector<std::uint32_t>& ids,
                                      const AccelerationOptions& options, const unsigned depth,
                                      AccelerationStructure& result) {
     const auto count = static_cast<std::uint32_t>(ids.size());
     if (options.table != TableMethod::gcd) {
-        const LatticeChoice choice = makeLattice(boundsOf(scene), count, options);
+        const LatticeChoice choice = makeLattice(boundsOf(scene), count, options, typicalEdgeOf(scene, ids));
         result.lattice = choice.lattice;
         result.unit = choice.unit;
         std::vector<LatticeTriangle> corners = cornersIn(result.lattice, scene, ids);

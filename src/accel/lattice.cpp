@@ -22,6 +22,10 @@ constexpr double kUnitRounding = 0x1p-22;
 constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
 
+// The side of a cell in typical edges, at most: where a floor carries a model, kCellsPerTriangle would leave
+// the model a handful of cells. Chosen by measurement: README.md in this folder.
+constexpr double kCellPerEdge = 1.0;
+
 // Method 2's quantum where none is asked for, as a fraction of the longest side: 2^24 cells at most, whatever
 // the divisors are.
 constexpr double kDefaultQuantum = 0x1p-8;
@@ -93,6 +97,12 @@ Extents extentsOf(const Bounds& bounds, const std::uint32_t triangleCount) {
     return extents;
 }
 
+// How many cells of that side the box holds; none where it is 0.
+double cellsOfSide(const glm::dvec3& size, const double side) {
+    const glm::dvec3 counts = glm::max(size / side, glm::dvec3(1.0));
+    return side > 0.0 ? counts.x * counts.y * counts.z : 0.0;
+}
+
 // The lattice of `counts` cells with the box in its middle. Padding is measured by `longest` or the lattice's
 // side, where that is longer. The rounded origin and scale are the lattice; everything else follows them.
 Lattice place(const Extents& box, const glm::dvec3& unit, const glm::dvec3& counts, const double longest) {
@@ -117,7 +127,7 @@ Lattice place(const Extents& box, const glm::dvec3& unit, const glm::dvec3& coun
 } // namespace
 
 LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCount,
-                          const AccelerationOptions& options) {
+                          const AccelerationOptions& options, const double typicalEdge) {
     const Extents extents = extentsOf(bounds, triangleCount);
     LatticeChoice choice;
     if (options.partition) {
@@ -127,8 +137,9 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     } else if (options.unit) {
         choice.unit = *options.unit;
     } else {
-        const double automatic =
-            std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMostAutomaticCells);
+        const double forCount = kCellsPerTriangle * triangleCount;
+        const double forSize = cellsOfSide(extents.size, kCellPerEdge * typicalEdge);
+        const double automatic = std::clamp(std::max(forCount, forSize), kMinCells, kMostAutomaticCells);
         const double cells = options.cells ? static_cast<double>(*options.cells) : automatic;
         if (cells * sizeof(std::uint32_t) > static_cast<double>(kTableBudget)) {
             throw Error(

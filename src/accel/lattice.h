@@ -27,10 +27,12 @@ struct LatticeChoice {
 
 // The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
 // ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides; a partition brings
-// its own resolution. Throws Error(sceneRefused) for a scene too small or too large for single precision and
-// Error(outOfMemory) for more than kMaxLatticeResolution cells on an axis or a table over kTableBudget.
+// its own resolution. `typicalEdge`: the median of the triangles' longest edges, 0 where it does not matter;
+// small triangles in a large box get more cells for it. Throws Error(sceneRefused) for a scene too small or
+// too large for single precision and Error(outOfMemory) for more than kMaxLatticeResolution cells on an axis
+// or a table over kTableBudget.
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
-                          const AccelerationOptions& options);
+                          const AccelerationOptions& options, double typicalEdge = 0.0);
 
 // Method 2 of the paper, first half: the lattice of quanta that planes are rounded to, which no table is made
 // of. `quantum` is in scene units; kDefaultQuantum of the longest side decides without. Throws
