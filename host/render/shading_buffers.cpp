@@ -28,10 +28,8 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
     add(kBindTextures, scene.textures, "textures");
     add(kBindEmitters, scene.emitters, "emitters");
     add(kBindLights, scene.lights, "lights");
-    add(kBindLightTable, scene.lightTable, "light table");
+    add(kBindTables, scene.tables, "light tables");
     add(kBindEnvironment, scene.environment, "environment");
-    add(kBindEnvironmentRows, scene.environmentRows, "environment's rows");
-    add(kBindEnvironmentColumns, scene.environmentColumns, "environment's columns");
     for (std::uint32_t i = 0; i < kTexelChunks; ++i) {
         add(kBindTexels + i, scene.texels[i], "texels");
     }

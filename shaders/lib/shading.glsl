@@ -18,10 +18,8 @@ WORDS4(materialWords, kBindMaterialRecords);
 WORDS4(textureWords, kBindTextures);
 WORDS4(emitterWords, kBindEmitters);
 WORDS4(lightWords, kBindLights);
-WORDS4(lightTableWords, kBindLightTable);
+WORDS4(tableWords, kBindTables);
 WORDS4(environmentWords, kBindEnvironment);
-WORDS4(environmentRowWords, kBindEnvironmentRows);
-WORDS4(environmentColumnWords, kBindEnvironmentColumns);
 WORDS1(texelWords0, kBindTexels);
 WORDS1(texelWords1, kBindTexels + 1u);
 WORDS1(texelWords2, kBindTexels + 2u);
@@ -114,11 +112,9 @@ LightRecord loadLight(const uint i) {
     return LightRecord(uintBitsToFloat(a.xyz), a.w, b.xyz, b.w, c.xyz, c.w);
 }
 
-AliasEntry aliasEntry(const uvec4 words) {
-    return AliasEntry(uintBitsToFloat(words.x), words.y, uintBitsToFloat(words.z), 0u);
+TableEntry loadTableEntry(const uint i) {
+    const uvec4 words = LOAD4(tableWords, i);
+    return TableEntry(uintBitsToFloat(words.x), uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
-AliasEntry loadLightEntry(const uint i) { return aliasEntry(LOAD4(lightTableWords, i)); }
-AliasEntry loadEnvironmentRow(const uint i) { return aliasEntry(LOAD4(environmentRowWords, i)); }
-AliasEntry loadEnvironmentColumn(const uint i) { return aliasEntry(LOAD4(environmentColumnWords, i)); }
 vec3 loadEnvironment(const uint i) { return uintBitsToFloat(LOAD4(environmentWords, i).xyz); }
 #endif

@@ -1,5 +1,5 @@
 // Light from all around as an equirectangular map: u = 0.5 + atan2(z, x) / 2 pi from the left, v = acos(y) /
-// pi from the top. Its texels are drawn by the light they send: an alias table of the rows, and one of the
+// pi from the top. Its texels are drawn by the light they send: a table of the rows, and one of the
 // columns for each.
 #ifndef METAMARCH_SHARED_ENVIRONMENT_MAP_H
 #define METAMARCH_SHARED_ENVIRONMENT_MAP_H
@@ -37,7 +37,7 @@ SHARED_FN float mapDensity(const float rowProbability, const float columnProbabi
 }
 
 // Where in the map, from the choices of row and column and what they left over.
-SHARED_FN vec2 mapPointIn(const AliasChoice row, const AliasChoice column, const uint width,
+SHARED_FN vec2 mapPointIn(const TableChoice row, const TableChoice column, const uint width,
                           const uint height) {
     return vec2((float(column.index) + column.rest) / float(width),
                 (float(row.index) + row.rest) / float(height));

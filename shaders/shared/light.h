@@ -12,37 +12,27 @@ SHARED_FN float powerHeuristic(const float own, const float other) {
     return 1.0f / (1.0f + ratio * ratio);
 }
 
-// One slot of a table that draws entry i with its `probability`: the slots are equally likely, and each keeps
-// its own entry or gives the draw to another. A. J. Walker, "An Efficient Method for Generating Discrete
-// Random Variables with General Distributions", 1977.
-struct AliasEntry {
-    float keep; // in [0, 1]
-    uint other;
-    float probability; // of the slot's own entry, over the whole table
-    uint padding;
+// One entry of a table that draws by weight, by the inverse of the cumulative distribution: what is
+// stratified in u stays stratified in what is drawn. The search starts at the guide: H. Chen, Y. Asau, "On
+// Generating Random Variates from an Empirical Distribution", AIIE Transactions 6(2), 1974.
+struct TableEntry {
+    float from; // it is drawn for u in [from, upTo)
+    float upTo;
+    float probability;
+    uint guide; // the first entry that any u of the guide's own slot can draw; slots are of equal width
 };
 
-struct AliasSlot {
+struct TableChoice {
     uint index;
-    float within; // in [0, 1)
+    float probability;
+    float rest; // in [0, 1): what of u is left, a number as good as new
 };
 
-// Tables of more than 2^16 slots want another way: u has 24 bits.
-SHARED_FN AliasSlot aliasSlot(const float u, const uint slotCount) {
-    const float scaled = u * float(slotCount);
-    const uint index = min(uint(scaled), slotCount - 1u);
-    return AliasSlot(index, min(scaled - float(index), 0.99999994f));
-}
+SHARED_FN uint guideSlot(const float u, const uint count) { return min(uint(u * float(count)), count - 1u); }
 
-struct AliasChoice {
-    uint index;
-    float rest; // in [0, 1), a number as good as new
-};
-
-SHARED_FN AliasChoice chooseAlias(const AliasEntry entry, const AliasSlot slot) {
-    const bool isKept = slot.within < entry.keep;
-    const float rest = isKept ? slot.within / entry.keep : (slot.within - entry.keep) / (1.0f - entry.keep);
-    return AliasChoice(isKept ? slot.index : entry.other, min(rest, 0.99999994f));
+SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, const float u) {
+    const float rest = (u - entry.from) / (entry.upTo - entry.from);
+    return TableChoice(index, entry.probability, min(max(rest, 0.0f), 0.99999994f));
 }
 
 // Weights of the three corners for a point of the triangle, uniform in its area.
@@ -129,9 +119,10 @@ SHARED_FN bool hitsDisc(const LightRecord light, const vec3 wi) {
     return light.kind == kLightDisc && dotProduct(off, off) <= 2.0f * light.scale;
 }
 
-SHARED_ASSERT_SIZE(AliasEntry, 16)
-SHARED_ASSERT_OFFSET(AliasEntry, other, 4)
-SHARED_ASSERT_OFFSET(AliasEntry, probability, 8)
+SHARED_ASSERT_SIZE(TableEntry, 16)
+SHARED_ASSERT_OFFSET(TableEntry, upTo, 4)
+SHARED_ASSERT_OFFSET(TableEntry, probability, 8)
+SHARED_ASSERT_OFFSET(TableEntry, guide, 12)
 SHARED_ASSERT_SIZE(LightRecord, 48)
 SHARED_ASSERT_OFFSET(LightRecord, kind, 12)
 SHARED_ASSERT_OFFSET(LightRecord, direction, 16)

@@ -112,7 +112,7 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf);
     if (hasFeature(SCENE kFeatureLights) && settings.sunIndex != kNoSun) {
         const LightRecord sun = loadLight(SCENE settings.sunIndex);
-        const float probability = loadLightEntry(SCENE settings.emitterCount + settings.sunIndex).probability;
+        const float probability = loadTableEntry(SCENE settings.emitterCount + settings.sunIndex).probability;
         const float density = probability / (kTwoPi * sun.scale);
         gain =
             gain + sun.strength * (hitsDisc(sun, path.dir) ? foundWeight(settings, path.pdf, density) : 0.0f);
@@ -137,9 +137,8 @@ SHARED_FN Path chooseChannel(const Path path, const MaterialRecord record, const
 
 SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, const Path path,
                                  const Bsdf bsdf, const SurfacePoint point, const PixelSample at) {
-    const SceneLightSample light = sampleSceneLight(
-        SCENE settings, point.position, sample1d(at, bounceDimension(path.bounce, kBounceLight)),
-        sample2d(at, bounceDimension(path.bounce, kBounceLightPoint)));
+    const vec2 u = sample2d(at, bounceDimension(path.bounce, kBounceLight));
+    const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, u);
     const BsdfValue found = evalBsdf(bsdf, light.wi);
     const float weight = sampledWeight(settings, light.pdf, found.pdf);
     const vec3 gain = clampedGain(settings, path.throughput * found.value * light.arriving * weight);

@@ -5,7 +5,7 @@
 
 SHARED_BEGIN
 
-const uint kBindPathStatus = 46u;
+const uint kBindPathStatus = 44u;
 
 // PathSettings::strategies. Both, weighted against each other, by default; each alone converges to the same
 // picture, which tests use.

@@ -1,4 +1,4 @@
-// The light of a scene: emitters, punctual lights and the environment, drawn from one table.
+// The light of a scene: emitters, punctual lights and the environment, drawn by their power.
 #ifndef METAMARCH_SHARED_SCENE_LIGHT_H
 #define METAMARCH_SHARED_SCENE_LIGHT_H
 #include "shared/environment_map.h"
@@ -8,6 +8,28 @@
 #include "shared/path_settings.h"
 
 SHARED_BEGIN
+
+// The tables lie one after another: of all lights, of the map's rows, of each row's columns.
+SHARED_FN uint firstRow(const PathSettings settings) { return settings.lightCount; }
+
+SHARED_FN uint firstColumn(const PathSettings settings, const uint row) {
+    return settings.lightCount + settings.environmentHeight + row * settings.environmentWidth;
+}
+
+// Draws from the table of `count` entries that begins at entry `first`.
+SHARED_FN TableChoice chooseFromTable(SCENE_PARAMETER const uint first, const uint count, const float u) {
+    uint index = loadTableEntry(SCENE first + guideSlot(u, count)).guide;
+    TableEntry entry = loadTableEntry(SCENE first + index);
+    // Ends: the last entry that can be drawn has upTo 1. The `if` is for llvmpipe, which takes invocations
+    // that have left a loop through it again with the others.
+    do {
+        if (entry.upTo <= u) {
+            ++index;
+            entry = loadTableEntry(SCENE first + index);
+        }
+    } while (entry.upTo <= u);
+    return chosenEntry(entry, index, u);
+}
 
 // Between the scene's axes and the map's, which is turned around y, right-handed: +z goes towards +x.
 SHARED_FN vec3 turnedFromMap(const PathSettings settings, const vec3 direction) {
@@ -63,8 +85,8 @@ SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings s
             min(uint(point.x * float(settings.environmentWidth)), settings.environmentWidth - 1u);
         const uint row =
             min(uint(point.y * float(settings.environmentHeight)), settings.environmentHeight - 1u);
-        const AliasEntry rowEntry = loadEnvironmentRow(SCENE row);
-        const AliasEntry columnEntry = loadEnvironmentColumn(SCENE row * settings.environmentWidth + column);
+        const TableEntry rowEntry = loadTableEntry(SCENE firstRow(settings) + row);
+        const TableEntry columnEntry = loadTableEntry(SCENE firstColumn(settings, row) + column);
         pdf = settings.environmentProbability * mapDensity(rowEntry.probability, columnEntry.probability,
                                                            settings.environmentWidth,
                                                            settings.environmentHeight, mapSine(inMap));
@@ -73,18 +95,12 @@ SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings s
 }
 
 SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings settings, const vec2 u) {
-    const AliasSlot rowSlot = aliasSlot(u.y, settings.environmentHeight);
-    const AliasChoice row = chooseAlias(loadEnvironmentRow(SCENE rowSlot.index), rowSlot);
-    const AliasSlot columnSlot = aliasSlot(u.x, settings.environmentWidth);
-    const uint firstColumn = row.index * settings.environmentWidth;
-    const AliasChoice column =
-        chooseAlias(loadEnvironmentColumn(SCENE firstColumn + columnSlot.index), columnSlot);
-    const float rowProbability = loadEnvironmentRow(SCENE row.index).probability;
-    const float columnProbability = loadEnvironmentColumn(SCENE firstColumn + column.index).probability;
-
+    const TableChoice row = chooseFromTable(SCENE firstRow(settings), settings.environmentHeight, u.y);
+    const TableChoice column =
+        chooseFromTable(SCENE firstColumn(settings, row.index), settings.environmentWidth, u.x);
     const vec2 point = mapPointIn(row, column, settings.environmentWidth, settings.environmentHeight);
     const vec3 inMap = mapDirection(point);
-    const float density = mapDensity(rowProbability, columnProbability, settings.environmentWidth,
+    const float density = mapDensity(row.probability, column.probability, settings.environmentWidth,
                                      settings.environmentHeight, mapSine(inMap));
     const vec3 radiance = environmentAt(SCENE settings, point) * settings.environmentScale;
     const vec3 arriving = density > 0.0f ? radiance / density : vec3(0.0f);
@@ -128,10 +144,9 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
 }
 
 SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings, const vec3 point,
-                                            const float uLight, const vec2 uPoint) {
-    const AliasSlot slot = aliasSlot(uLight, settings.lightCount);
-    const AliasEntry entry = loadLightEntry(SCENE slot.index);
-    const AliasChoice choice = chooseAlias(entry, slot);
+                                            const vec2 u) {
+    const TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u.x);
+    const vec2 uPoint = vec2(choice.rest, u.y);
     const uint firstPunctual = settings.emitterCount;
     const uint environment = settings.emitterCount + settings.punctualCount;
     SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f);
@@ -139,11 +154,10 @@ SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings s
         result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), point, uPoint);
     }
     if (settings.punctualCount > 0u && choice.index >= firstPunctual && choice.index < environment) {
-        const float probability = loadLightEntry(SCENE choice.index).probability;
         const LightSample light = sampleLight(loadLight(SCENE choice.index - firstPunctual), point, uPoint);
         const bool isFar = light.distance == kFarLight;
         result = SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
-                                  light.arriving / probability, light.pdf * probability);
+                                  light.arriving / choice.probability, light.pdf * choice.probability);
     }
     if (hasFeature(SCENE kFeatureEnvironment) && choice.index == environment) {
         const LightSample light = sampleEnvironment(SCENE settings, uPoint);

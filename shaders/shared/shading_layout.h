@@ -24,11 +24,9 @@ const uint kBindMaterialRecords = 34u;
 const uint kBindTextures = 35u;
 const uint kBindEmitters = 36u;
 const uint kBindLights = 37u;
-const uint kBindLightTable = 38u;
+const uint kBindTables = 38u; // of TableEntries
 const uint kBindEnvironment = 39u;
-const uint kBindEnvironmentRows = 40u;
-const uint kBindEnvironmentColumns = 41u;
-const uint kBindTexels = 42u; // the first of kTexelChunks bindings
+const uint kBindTexels = 40u; // the first of kTexelChunks bindings
 
 // Texels are the second large array of a scene, cut as the triangle records are. No image crosses a cut.
 const uint kTexelChunks = 4u;

@@ -24,8 +24,7 @@ const uint kDimensionFilter = 0u; // [2] place in the pixel
 const uint kDimensionLens = 1u;   // [2] place on the lens
 const uint kDimensionTime = 2u;   // [1] place in the shutter's interval
 // Those of bounce b, counted from 0 at the first hit, are bounceDimension(b, ...).
-const uint kBounceLight = 0u;      // [1] which light
-const uint kBounceLightPoint = 1u; // [2] where on it
+const uint kBounceLight = 0u;      // [2] which light, and where on it
 const uint kBounceLobe = 2u;       // [1] which lobe of the BSDF
 const uint kBounceDirection = 3u;  // [2] direction in the lobe
 const uint kBounceRoulette = 4u;   // [1] whether the path goes on

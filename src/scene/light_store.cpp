@@ -1,6 +1,6 @@
 #include "scene/light_store.h"
 
-#include "scene/alias_table.h"
+#include "scene/weighted_table.h"
 #include "shared/hit_point.h"
 
 #include <algorithm>
@@ -87,9 +87,6 @@ void addEnvironment(const Environment& environment, ShadingScene& target, Weight
     for (const glm::vec3& texel : environment.texels) {
         target.environment.emplace_back(texel, 0.0f);
     }
-    EnvironmentTables tables = makeEnvironmentTables(environment);
-    target.environmentRows = std::move(tables.rows);
-    target.environmentColumns = std::move(tables.columns);
     target.settings.environmentWidth = environment.width;
     target.settings.environmentHeight = environment.height;
     double sum = 0.0;
@@ -163,7 +160,12 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
     settings.environmentProbability = static_cast<float>(chances.back());
     target.features |= hasLight ? kFeatureLights : 0u;
     const std::vector<float> rounded(chances.begin(), chances.end());
-    target.lightTable = makeAliasTable(rounded);
+    target.tables = makeWeightedTable(rounded);
+    if (surroundings.environment) {
+        const EnvironmentTables map = makeEnvironmentTables(*surroundings.environment);
+        target.tables.insert(target.tables.end(), map.rows.begin(), map.rows.end());
+        target.tables.insert(target.tables.end(), map.columns.begin(), map.columns.end());
+    }
     for (std::size_t i = 0; i < target.emitters.size(); ++i) {
         const double density = chances[i] / areaOf(target.emitters[i]); // the same for all of a material
         target.materials[target.emitters[i].material].emissionDensity = static_cast<float>(density);

@@ -22,10 +22,9 @@ struct ShadingScene {
     std::array<std::vector<std::uint32_t>, kTexelChunks> texels;
     std::vector<Emitter> emitters;
     std::vector<LightRecord> lights;
-    std::vector<AliasEntry> lightTable; // emitters, lights, environment map
     std::vector<glm::vec4> environment; // rgb, of the map, with kFeatureEnvironment
-    std::vector<AliasEntry> environmentRows;
-    std::vector<AliasEntry> environmentColumns;
+    // Of emitters, lights and environment map together, of the map's rows, of the columns of each row.
+    std::vector<TableEntry> tables;
     PathSettings settings{}; // what of it the scene decides
 };
 
@@ -53,13 +52,7 @@ inline std::uint32_t loadTexel(const ShadingScene& scene, const uint chunk, cons
 }
 inline Emitter loadEmitter(const ShadingScene& scene, const uint i) { return scene.emitters[i]; }
 inline LightRecord loadLight(const ShadingScene& scene, const uint i) { return scene.lights[i]; }
-inline AliasEntry loadLightEntry(const ShadingScene& scene, const uint i) { return scene.lightTable[i]; }
-inline AliasEntry loadEnvironmentRow(const ShadingScene& scene, const uint i) {
-    return scene.environmentRows[i];
-}
-inline AliasEntry loadEnvironmentColumn(const ShadingScene& scene, const uint i) {
-    return scene.environmentColumns[i];
-}
+inline TableEntry loadTableEntry(const ShadingScene& scene, const uint i) { return scene.tables[i]; }
 inline glm::vec3 loadEnvironment(const ShadingScene& scene, const uint i) {
     return glm::vec3(scene.environment[i]);
 }

@@ -1,7 +1,7 @@
 // The map's directions, and its texels drawn by their light.
 #include "chi_square.h"
-#include "scene/alias_table.h"
-#include "shared/environment_map.h"
+#include "scene/weighted_table.h"
+#include "shared/scene_light.h"
 #include "shared/sobol.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,10 @@ Environment brightTexel() {
 class DrawnMap {
   public:
     explicit DrawnMap(const Environment& map)
-        : width_(map.width), height_(map.height), tables_(makeEnvironmentTables(map)) {}
+        : width_(map.width), height_(map.height), tables_(makeEnvironmentTables(map)) {
+        scene_.tables = tables_.rows;
+        scene_.tables.insert(scene_.tables.end(), tables_.columns.begin(), tables_.columns.end());
+    }
 
     struct Drawn {
         vec3 direction;
@@ -81,11 +84,8 @@ class DrawnMap {
     };
 
     Drawn draw(vec2 u) const {
-        const AliasSlot rowSlot = aliasSlot(u.y, height_);
-        const AliasChoice row = chooseAlias(tables_.rows[rowSlot.index], rowSlot);
-        const AliasSlot columnSlot = aliasSlot(u.x, width_);
-        const AliasChoice column =
-            chooseAlias(tables_.columns[row.index * width_ + columnSlot.index], columnSlot);
+        const TableChoice row = chooseFromTable(scene_, 0, height_, u.y);
+        const TableChoice column = chooseFromTable(scene_, height_ + row.index * width_, width_, u.x);
         const vec3 direction = mapDirection(mapPointIn(row, column, width_, height_));
         return {direction, densityIn(column.index, row.index, direction)};
     }
@@ -106,6 +106,7 @@ class DrawnMap {
     uint width_;
     uint height_;
     EnvironmentTables tables_;
+    ShadingScene scene_;
 };
 
 TEST(EnvironmentMap, isDrawnByItsDensity) {
@@ -146,7 +147,7 @@ TEST(EnvironmentMap, samplesKnowTheirDensity) {
     int different = 0;
     for (uint i = 0; i < 20'000; ++i) {
         const DrawnMap::Drawn sample =
-            drawn.draw(sample2d(makePixelSample(0, 0, i, 1), bounceDimension(0, kBounceLightPoint)));
+            drawn.draw(sample2d(makePixelSample(0, 0, i, 1), bounceDimension(0, kBounceLight)));
         ASSERT_GT(sample.density, 0.0);
         different += std::abs(drawn.densityAt(sample.direction) / sample.density - 1.0) > 1e-5 ? 1 : 0;
     }

@@ -37,9 +37,10 @@ struct LightAnswer {
 SHARED_FN LightAnswer answer(const LightCase asked) {
     const vec2 u = vec2(asked.uX, asked.uY);
     const LightSample drawn = sampleLight(asked.light, asked.point, u);
-    const AliasEntry entry = AliasEntry(asked.keep, asked.other, asked.density, 0u);
-    const AliasChoice row = chooseAlias(entry, aliasSlot(asked.uX, asked.slotCount));
-    const AliasChoice column = chooseAlias(entry, aliasSlot(asked.uY, 2u * asked.slotCount));
+    const TableEntry entry = TableEntry(asked.keep * 0.5f, asked.keep * 0.5f + 0.5f, asked.density, 0u);
+    const uint slot = guideSlot(asked.uX, asked.slotCount);
+    const TableChoice row = chosenEntry(entry, slot, asked.uX);
+    const TableChoice column = chosenEntry(entry, guideSlot(asked.uY, 2u * asked.slotCount), asked.uY);
     LightAnswer found;
     found.wi = drawn.wi;
     found.distance = drawn.distance;

@@ -29,39 +29,21 @@ TEST(PowerHeuristic, weightsOfBothWaysSumToOne) {
     EXPECT_NEAR(powerHeuristic(3.0f, 1.0f), 0.9f, 1e-7f);
 }
 
-TEST(AliasChoice, leavesANumberAsGoodAsNew) {
-    constexpr uint kSlots = 4;
-    constexpr float kKeep = 0.375f;
-    constexpr std::size_t kParts = 16;
-    std::vector<int> keptParts(kParts);
-    std::vector<int> givenParts(kParts);
-    for (uint i = 0; i < 1u << 20; ++i) {
-        const AliasSlot slot = aliasSlot(unitInterval(i << 12), kSlots);
-        ASSERT_EQ(slot.index, i >> 18);
-        ASSERT_TRUE(slot.within >= 0.0f && slot.within < 1.0f);
-        const AliasChoice choice = chooseAlias(AliasEntry{kKeep, 7u, 0.1f, 0u}, slot);
-        ASSERT_EQ(choice.index, slot.within < kKeep ? slot.index : 7u);
-        ASSERT_TRUE(choice.rest >= 0.0f && choice.rest < 1.0f);
-        auto& parts = choice.index == 7u ? givenParts : keptParts;
-        ++parts[partOf(choice.rest, kParts)];
-    }
-    for (std::size_t part = 0; part < kParts; ++part) {
-        EXPECT_NEAR(keptParts[part], (1 << 20) * kKeep / kParts, kSlots + 1.0);
-        EXPECT_NEAR(givenParts[part], (1 << 20) * (1.0f - kKeep) / kParts, kSlots + 1.0);
+TEST(TableChoice, leavesANumberAsGoodAsNew) {
+    constexpr TableEntry kEntry{0.25f, 0.625f, 0.375f, 0u};
+    for (uint i = 1u << 22; i < 5u << 21; ++i) {
+        const TableChoice choice = chosenEntry(kEntry, 7u, unitInterval(i << 8u));
+        ASSERT_EQ(choice.index, 7u);
+        ASSERT_EQ(choice.probability, 0.375f);
+        ASSERT_NEAR(choice.rest, (i - (1u << 22)) / static_cast<double>((5u << 21) - (1u << 22)), 1e-7);
+        ASSERT_LT(choice.rest, 1.0f);
     }
 }
 
-TEST(AliasChoice, staysInsideItsTable) {
+TEST(GuideSlot, staysInsideItsTable) {
     for (const uint slots : {1u, 3u, 1000u, 65'536u}) {
-        for (const float u : {0.0f, 0.5f, unitInterval(0xffffffffu)}) {
-            const AliasSlot slot = aliasSlot(u, slots);
-            EXPECT_LT(slot.index, slots);
-            EXPECT_LT(slot.within, 1.0f);
-            // Entries that keep all and that keep nothing divide by nothing.
-            EXPECT_EQ(chooseAlias(AliasEntry{1.0f, 9u, 0.0f, 0u}, slot).index, slot.index);
-            EXPECT_EQ(chooseAlias(AliasEntry{0.0f, 9u, 0.0f, 0u}, slot).index, 9u);
-            EXPECT_LT(chooseAlias(AliasEntry{0.0f, 9u, 0.0f, 0u}, slot).rest, 1.0f);
-        }
+        EXPECT_EQ(guideSlot(0.0f, slots), 0u);
+        EXPECT_EQ(guideSlot(unitInterval(0xffffffffu), slots), slots - 1u);
     }
 }
 

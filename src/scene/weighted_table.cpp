@@ -1,4 +1,4 @@
-#include "scene/alias_table.h"
+#include "scene/weighted_table.h"
 
 #include "shared/math.h"
 
@@ -45,33 +45,37 @@ class Brightness {
 
 } // namespace
 
-// M. D. Vose, "A Linear Algorithm for Generating Random Numbers with a Given Distribution", 1991.
-std::vector<AliasEntry> makeAliasTable(std::span<const float> weights) {
+std::vector<TableEntry> makeWeightedTable(const std::span<const float> weights) {
     const std::size_t count = weights.size();
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-    std::vector<AliasEntry> table(count);
-    std::vector<double> share(count); // in slots
-    std::vector<std::uint32_t> small;
-    std::vector<std::uint32_t> large;
+    std::vector<TableEntry> table(count);
+    double reached = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const double probability = sum > 0.0 ? weights[i] / sum : 1.0 / static_cast<double>(count);
-        share[i] = probability * static_cast<double>(count);
-        table[i] = {1.0f, static_cast<std::uint32_t>(i), static_cast<float>(probability), 0};
-        (share[i] < 1.0 ? small : large).push_back(static_cast<std::uint32_t>(i));
+        reached += probability;
+        table[i].from = i == 0 ? 0.0f : table[i - 1].upTo;
+        table[i].upTo = static_cast<float>(std::min(reached, 1.0));
+        table[i].probability = static_cast<float>(probability);
     }
-    while (!small.empty() && !large.empty()) {
-        const std::uint32_t poor = small.back();
-        const std::uint32_t rich = large.back();
-        small.pop_back();
-        table[poor].keep = static_cast<float>(share[poor]);
-        table[poor].other = rich;
-        share[rich] -= 1.0 - share[poor];
-        if (share[rich] < 1.0) {
-            large.pop_back();
-            small.push_back(rich);
+    // What rounding left over at the end belongs to the last that has a part.
+    for (std::size_t i = count; i > 0; --i) {
+        table[i - 1].upTo = 1.0f;
+        if (table[i - 1].probability > 0.0f) {
+            break;
         }
+        table[i - 1].from = 1.0f;
     }
-    return table; // what rounding left over keeps its own
+    // A u of the slot may lie before the slot by the rounding of guideSlot.
+    constexpr double kRounding = 0x1p-22;
+    std::uint32_t guide = 0;
+    for (std::size_t slot = 0; slot < count; ++slot) {
+        const double start = static_cast<double>(slot) * (1.0 - kRounding) / static_cast<double>(count);
+        while (table[guide].upTo <= start) {
+            ++guide;
+        }
+        table[slot].guide = guide;
+    }
+    return table;
 }
 
 EnvironmentTables makeEnvironmentTables(const Environment& environment) {
@@ -92,10 +96,10 @@ EnvironmentTables makeEnvironmentTables(const Environment& environment) {
             sum += weights[x];
         }
         rowWeights[y] = static_cast<float>(sum * solidAngle);
-        const std::vector<AliasEntry> row = makeAliasTable(weights);
+        const std::vector<TableEntry> row = makeWeightedTable(weights);
         tables.columns.insert(tables.columns.end(), row.begin(), row.end());
     }
-    tables.rows = makeAliasTable(rowWeights);
+    tables.rows = makeWeightedTable(rowWeights);
     return tables;
 }
 

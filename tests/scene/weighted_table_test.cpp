@@ -1,5 +1,5 @@
 // Tables that draw by weight, for lists and for environments.
-#include "scene/alias_table.h"
+#include "scene/weighted_table.h"
 
 #include <gtest/gtest.h>
 
@@ -10,36 +10,49 @@
 namespace metamarch {
 namespace {
 
-// With what probability each entry is drawn, from the slots alone.
-std::vector<double> drawnFrom(std::span<const AliasEntry> table) {
-    std::vector<double> drawn(table.size(), 0.0);
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        drawn[i] += table[i].keep / static_cast<double>(table.size());
-        drawn.at(table[i].other) += (1.0 - table[i].keep) / static_cast<double>(table.size());
+// The entry that the table draws for u, searched from its guide.
+std::size_t drawnBy(std::span<const TableEntry> table, float u) {
+    std::size_t index = table[guideSlot(u, static_cast<uint>(table.size()))].guide;
+    while (table[index].upTo <= u) {
+        ++index;
     }
-    return drawn;
+    return index;
 }
 
-// Rounding `keep` to a float moves at most 2^-25 of a slot, for every slot that gives to an entry.
+// Ends of entries are rounded to floats: by 2^-25 each.
 void expectDrawnBy(const std::vector<float>& weights) {
-    const std::vector<AliasEntry> table = makeAliasTable(weights);
+    const std::vector<TableEntry> table = makeWeightedTable(weights);
     ASSERT_EQ(table.size(), weights.size());
-    const std::vector<double> drawn = drawnFrom(table);
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     double all = 0.0;
+    EXPECT_EQ(table[0].from, 0.0f);
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const double expected = weights[i] / sum;
         ASSERT_FLOAT_EQ(table[i].probability, static_cast<float>(expected)) << i;
-        ASSERT_NEAR(drawn[i], expected, 4e-8 * (expected + 1.0 / static_cast<double>(weights.size()))) << i;
+        ASSERT_NEAR(static_cast<double>(table[i].upTo) - table[i].from, expected, 6e-8) << i;
         if (weights[i] == 0.0f) {
-            ASSERT_EQ(drawn[i], 0.0) << i;
+            ASSERT_EQ(table[i].from, table[i].upTo) << i;
         }
         all += table[i].probability;
     }
     EXPECT_NEAR(all, 1.0, 1e-6);
+    std::mt19937 random(13);
+    for (int i = 0; i < 2000; ++i) {
+        // Also the numbers at the borders of guide slots and entries.
+        const std::size_t any = random() % weights.size();
+        const float slot = static_cast<float>(any) / static_cast<float>(weights.size());
+        const float even = static_cast<float>(random() >> 8u) * 0x1p-24f;
+        for (const float u : {even, slot, std::nextafter(slot, 0.0f), table[any].from}) {
+            if (u < 1.0f) {
+                const TableEntry& entry = table[drawnBy(table, u)];
+                ASSERT_TRUE(entry.from <= u && u < entry.upTo) << u;
+                ASSERT_GT(entry.probability, 0.0f);
+            }
+        }
+    }
 }
 
-TEST(AliasTable, drawsByWeight) {
+TEST(WeightedTable, drawsByWeight) {
     expectDrawnBy({1.0f, 2.0f, 3.0f});
     expectDrawnBy({5.0f, 5.0f, 5.0f, 5.0f});
     expectDrawnBy({1e-30f, 1e-20f, 1e30f});
@@ -58,7 +71,7 @@ TEST(AliasTable, drawsByWeight) {
     }
 }
 
-TEST(AliasTable, neverDrawsAWeightOfZero) {
+TEST(WeightedTable, neverDrawsAWeightOfZero) {
     expectDrawnBy({0.0f, 1.0f});
     expectDrawnBy({0.0f, 0.0f, 0.0f, 7.0f, 0.0f});
     std::mt19937 random(12);
@@ -72,24 +85,24 @@ TEST(AliasTable, neverDrawsAWeightOfZero) {
     }
 }
 
-TEST(AliasTable, ofOneEntryDrawsIt) {
+TEST(WeightedTable, ofOneEntryDrawsIt) {
     for (const float weight : {0.0f, 1e-38f, 3.0f}) {
-        const std::vector<AliasEntry> table = makeAliasTable(std::vector<float>{weight});
+        const std::vector<TableEntry> table = makeWeightedTable(std::vector<float>{weight});
         ASSERT_EQ(table.size(), 1u);
-        EXPECT_EQ(table[0].keep, 1.0f);
-        EXPECT_EQ(table[0].other, 0u);
+        EXPECT_EQ(table[0].upTo, 1.0f);
+        EXPECT_EQ(table[0].guide, 0u);
         EXPECT_EQ(table[0].probability, 1.0f);
     }
 }
 
-TEST(AliasTable, ofZerosDrawsAllAlike) {
-    for (const AliasEntry& entry : makeAliasTable(std::vector<float>(8, 0.0f))) {
-        EXPECT_EQ(entry.keep, 1.0f);
+TEST(WeightedTable, ofZerosDrawsAllAlike) {
+    for (const TableEntry& entry : makeWeightedTable(std::vector<float>(8, 0.0f))) {
+        EXPECT_EQ(entry.upTo - entry.from, 0.125f);
         EXPECT_EQ(entry.probability, 0.125f);
     }
 }
 
-TEST(AliasTable, ofNothingIsEmpty) { EXPECT_TRUE(makeAliasTable({}).empty()); }
+TEST(WeightedTable, ofNothingIsEmpty) { EXPECT_TRUE(makeWeightedTable({}).empty()); }
 
 Environment flat(std::uint32_t width, std::uint32_t height, float radiance) {
     Environment map;
@@ -146,7 +159,7 @@ TEST(EnvironmentTables, takeMapsOfOneTexelAndOfNoLight) {
 TEST(EnvironmentTables, takeTheBrightestLightThereIs) {
     const EnvironmentTables tables = makeEnvironmentTables(flat(512, 4, 3e38f));
     double all = 0.0;
-    for (const AliasEntry& row : tables.rows) {
+    for (const TableEntry& row : tables.rows) {
         ASSERT_TRUE(std::isfinite(row.probability));
         all += row.probability;
     }

@@ -10,11 +10,11 @@ namespace metamarch {
 
 // One entry per weight; weights are finite and at least 0. All are drawn alike where every weight is 0. Empty
 // for no weights.
-std::vector<AliasEntry> makeAliasTable(std::span<const float> weights);
+std::vector<TableEntry> makeWeightedTable(std::span<const float> weights);
 
 struct EnvironmentTables {
-    std::vector<AliasEntry> rows;    // [height]
-    std::vector<AliasEntry> columns; // [height][width]
+    std::vector<TableEntry> rows;    // [height]
+    std::vector<TableEntry> columns; // [height][width]
 };
 
 // Draws a texel by the luminance that the bilinearly filtered map has over its area, times its solid angle.
