@@ -86,29 +86,33 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
     const bool isSmoothBase = lobe == kLobeSmoothBase;
     const float radianceScale = radianceScaleOf(bsdf, isThrough);
 
-    const FacetPair facets = facetsTowards(bsdf, incoming);
-    const FacetColors colors = facetColors(bsdf, isSmoothBase ? bsdf.wo.z : facets.cosOut);
-    const float alphaIn = alphaTowards(bsdf, incoming);
-    const float added = bsdf.balanceOut * facetBalance(cosIn, alphaIn) - 1.0f;
-    const vec3 reflected = colors.reflected + bsdf.multiple * added;
-    const vec3 through = colors.through + bsdf.throughColor * (bsdf.multipleThrough * added);
-    const vec3 color = max(isThrough ? through : reflected, vec3(0.0f));
-    const float density = isSmoothBase ? 1.0f : isRough && !bsdf.isSmooth ? facets.density : 0.0f;
-    const float passed = isSmoothBase ? 1.0f : facets.passage;
-    vec3 value = color * (density * passed * radianceScale * bsdf.baseScale);
-    float pdf = bsdf.pBase * (isThrough ? 1.0f - colors.share : colors.share) * density;
-
+    vec3 value = vec3(0.0f);
+    float pdf = 0.0f;
+    float left = 1.0f; // for diffuse light
+    if (hasFeature(kFeatureFacets)) {
+        const FacetPair facets = facetsTowards(bsdf, incoming);
+        const FacetColors colors = facetColors(bsdf, isSmoothBase ? bsdf.wo.z : facets.cosOut);
+        const float alphaIn = alphaTowards(bsdf, incoming);
+        const float added = bsdf.balanceOut * facetBalance(cosIn, alphaIn) - 1.0f;
+        const vec3 reflected = colors.reflected + bsdf.multiple * added;
+        const vec3 through = colors.through + bsdf.throughColor * (bsdf.multipleThrough * added);
+        const vec3 color = max(isThrough ? through : reflected, vec3(0.0f));
+        const float density = isSmoothBase ? 1.0f : isRough && !bsdf.isSmooth ? facets.density : 0.0f;
+        const float passed = isSmoothBase ? 1.0f : facets.passage;
+        value = color * (density * passed * radianceScale * bsdf.baseScale);
+        pdf = bsdf.pBase * (isThrough ? 1.0f - colors.share : colors.share) * density;
+        const float leftIn = bsdf.isRefractive ? 1.0f : diffusePart(bsdf, facetAlbedo(cosIn, alphaIn));
+        left = bsdf.isSingleScatter ? 1.0f - colors.cover : bsdf.diffuseOut * leftIn;
+        if (hasFeature(kFeatureSheen)) {
+            const float sheen = sheenLobe(bsdf.wo.z, cosIn, facets.normal.z, bsdf.sheenRoughness);
+            value = value + bsdf.sheenColor * (isRough && !isThrough ? sheen : 0.0f);
+        }
+    }
     const float cosineDensity = isRough ? cosIn * kInvPi : 0.0f;
-    const float leftIn = bsdf.isRefractive ? 1.0f : diffusePart(bsdf, facetAlbedo(cosIn, alphaIn));
-    const float left = bsdf.isSingleScatter ? 1.0f - colors.cover : bsdf.diffuseOut * leftIn;
     const vec3 diffuse = isThrough ? bsdf.diffuseThroughColor : bsdf.diffuseColor;
     value = value + diffuse * (cosineDensity * left * radianceScale * bsdf.baseScale);
     pdf = pdf + (isThrough ? bsdf.pDiffuseThrough : bsdf.pDiffuse) * cosineDensity;
 
-    if (hasFeature(kFeatureSheen)) {
-        const float sheen = sheenLobe(bsdf.wo.z, cosIn, facets.normal.z, bsdf.sheenRoughness);
-        value = value + bsdf.sheenColor * (isRough && !isThrough ? sheen : 0.0f);
-    }
     if (hasFeature(kFeatureCoat)) {
         const CoatLobe coat = coatLobe(bsdf.coat, wi, lobe == kLobeSmoothCoat);
         const bool isCoat = !isThrough && !isSmoothBase;
@@ -146,13 +150,18 @@ SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, cons
         around = bsdf.coat.around;
         normal = bsdf.coat.normal;
     }
-    const vec3 facet = isSmooth ? vec3(0.0f, 0.0f, 1.0f) : sampleFacet(wo, alpha, uDirection);
-    const float facetOut = dotProduct(wo, facet);
-    const vec3 mirrored = facet * (2.0f * facetOut) - wo;
-    const Refraction refraction = refractionAt(facetOut, bsdf.eta);
-    const vec3 refracted = facet * (facetOut / bsdf.eta - refraction.cosine) - wo / bsdf.eta;
-    const vec3 passed = bsdf.isRefractive ? refracted : vec3(mirrored.x, mirrored.y, -mirrored.z);
-    const bool isThrough = isBase && uLobe >= bsdf.pBase * facetColors(bsdf, max(facetOut, 0.0f)).share;
+    vec3 mirrored = vec3(0.0f);
+    vec3 passed = vec3(0.0f);
+    bool isThrough = false;
+    if (hasFeature(kFeatureFacets | kFeatureCoat)) {
+        const vec3 facet = isSmooth ? vec3(0.0f, 0.0f, 1.0f) : sampleFacet(wo, alpha, uDirection);
+        const float facetOut = dotProduct(wo, facet);
+        const Refraction refraction = refractionAt(facetOut, bsdf.eta);
+        const vec3 refracted = facet * (facetOut / bsdf.eta - refraction.cosine) - wo / bsdf.eta;
+        mirrored = facet * (2.0f * facetOut) - wo;
+        passed = bsdf.isRefractive ? refracted : vec3(mirrored.x, mirrored.y, -mirrored.z);
+        isThrough = isBase && uLobe >= bsdf.pBase * facetColors(bsdf, max(facetOut, 0.0f)).share;
+    }
 
     const vec2 circle = circlePoint(uDirection.x);
     const float radius = sqrt(uDirection.y);

@@ -184,7 +184,10 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     bsdf.alpha = vec2(along, across);
     bsdf.meanAlpha = 0.25f * along + 0.75f * across;
     bsdf.lengthOut = facetLength(local, vec2(along, across));
-    bsdf.balanceOut = facetBalance(local.z, alphaTowards(bsdf, local));
+    bsdf.balanceOut = 1.0f;
+    if (hasFeature(kFeatureFacets)) {
+        bsdf.balanceOut = facetBalance(local.z, alphaTowards(bsdf, local));
+    }
     bsdf.isSmooth = along <= kMinAlpha;
 
     const bool isVolume = (material.flags & kSurfaceVolume) != 0u;
@@ -223,8 +226,13 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
 
     // What the facets reflect, and leave for diffuse light.
     const float alphaOut = alphaTowards(bsdf, bsdf.wo);
-    const FacetAlbedo facets = facetAlbedo(cosOut, alphaOut);
-    const FacetAlbedo meanFacets = meanFacetAlbedo(bsdf.meanAlpha);
+    // Without kFeatureFacets both are multiplied by 0.
+    FacetAlbedo facets = FacetAlbedo(1.0f, 0.0f);
+    FacetAlbedo meanFacets = FacetAlbedo(1.0f, 0.0f);
+    if (hasFeature(kFeatureFacets)) {
+        facets = facetAlbedo(cosOut, alphaOut);
+        meanFacets = meanFacetAlbedo(bsdf.meanAlpha);
+    }
     Reflectance metal = bsdf.metal;
     Reflectance dielectric = bsdf.dielectric;
     if (hasFeature(kFeatureIridescence)) {

@@ -28,7 +28,9 @@ const uint kFeatureUnlit = 16384u;
 const uint kFeatureEmission = 32768u;
 const uint kFeatureLights = 65536u;       // something that light sampling can find
 const uint kFeatureEnvironment = 131072u; // a map, and not only a constant colour
-const uint kAllFeatures = 262143u;
+const uint kFeatureFacets =
+    262144u; // the base reflects or refracts, or there is sheen: all but diffuse scenes
+const uint kAllFeatures = 524287u;
 
 #ifndef SHADING_FEATURES
 #define SHADING_FEATURES kAllFeatures

@@ -14,8 +14,10 @@ SHARED_BEGIN
 
 // In place of a density: no other way finds this direction.
 const float kCertain = 1.0e30f;
-// Before this bounce paths are not ended by chance: it would cost more noise than it saves time.
-const uint kFirstRoulette = 2u;
+// Before this bounce paths are not ended by chance, then with the square root of what they still carry: of
+// the starts 1 to 4 and the powers 1 and 1/2, the least error for the time in a closed box and under an open
+// sky.
+const uint kFirstRoulette = 3u;
 const float kLeastSurvival = 0.05f;
 
 struct Path {
@@ -162,7 +164,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf 
     // Russian roulette. The radiance scale is no loss: what leaves the glass gets it back.
     const float kept = largest(throughput) / radianceScale;
     const bool isRisked = path.bounce >= kFirstRoulette;
-    const float survival = isRisked ? min(max(kept, kLeastSurvival), 1.0f) : 1.0f;
+    const float survival = isRisked ? min(max(sqrt(kept), kLeastSurvival), 1.0f) : 1.0f;
     const bool survives = !isRisked || sample1d(at, bounceDimension(path.bounce, kBounceRoulette)) < survival;
     throughput = throughput / survival;
 

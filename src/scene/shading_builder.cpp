@@ -29,8 +29,6 @@ std::uint32_t flagsOf(const Material& material, const bool isSingleScatter) {
            (material.alphaMode == AlphaMode::blend ? kMaterialBlend : 0u);
 }
 
-bool usesFilm(const Material& m) { return m.iridescenceFactor > 0.0f; }
-
 std::uint32_t featuresOf(const Material& m) {
     const auto feature = [](const bool isUsed, const std::uint32_t bit) { return isUsed ? bit : 0u; };
     const bool hasNormalMap =
@@ -38,14 +36,18 @@ std::uint32_t featuresOf(const Material& m) {
     const bool isPlainSpecular = m.specularFactor == 1.0f && m.specularColorFactor == glm::vec3(1.0f) &&
                                  m.specularTexture.texture == kNoTexture &&
                                  m.specularColorTexture.texture == kNoTexture;
-    return feature(m.clearcoatFactor > 0.0f, kFeatureCoat) |
+    const bool hasFacets = m.metallicFactor > 0.0f || m.specularFactor > 0.0f ||
+                           m.transmissionFactor > 0.0f || m.sheenColorFactor != glm::vec3(0.0f) ||
+                           m.iridescenceFactor > 0.0f;
+    return feature(hasFacets, kFeatureFacets) | feature(m.clearcoatFactor > 0.0f, kFeatureCoat) |
            feature(m.sheenColorFactor != glm::vec3(0.0f), kFeatureSheen) |
            feature(m.transmissionFactor > 0.0f, kFeatureTransmission) |
            feature(m.transmissionFactor > 0.0f && m.thicknessFactor > 0.0f, kFeatureVolume) |
            feature(m.diffuseTransmissionFactor > 0.0f, kFeatureDiffuseTransmission) |
            feature(m.diffuseTransmissionFactor > 0.0f && m.thicknessFactor > 0.0f,
                    kFeatureTransmission | kFeatureVolume) |
-           feature(usesFilm(m), kFeatureIridescence) | feature(hasNormalMap, kFeatureNormalMaps) |
+           feature(m.iridescenceFactor > 0.0f, kFeatureIridescence) |
+           feature(hasNormalMap, kFeatureNormalMaps) |
            feature(m.anisotropyStrength > 0.0f, kFeatureAnisotropy) |
            feature(m.alphaMode != AlphaMode::opaque, kFeatureAlpha) |
            feature(m.dispersion > 0.0f && m.thicknessFactor > 0.0f && m.transmissionFactor > 0.0f,
