@@ -1,0 +1,163 @@
+// The table that lights are drawn from, and the densities that weigh the two ways to find them.
+#include "path/path_scene.h"
+#include "scene/sky.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <vector>
+
+namespace metamarch::tests {
+namespace {
+
+// Lights of every kind.
+PathScene manyLights() {
+    PathScene made;
+    addBall(made.scene, {0, 1, 0}, 0.5f, addMaterial(made.scene, emitter({3, 2, 1})), false, 12);
+    Material panel = emitter({1, 2, 8});
+    panel.doubleSided = true;
+    addQuad(made.scene, {-3, 2, -1}, {0.3f, 0, 0}, {0, 0.2f, 1}, addMaterial(made.scene, panel));
+    addQuad(made.scene, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, addMaterial(made.scene, lambert(glm::vec3(1))));
+    addPointLight(made.scene, {1, 3, 0}, 5.0f);
+    Sky sky = makeSky({.width = 32});
+    made.surroundings.environment = sky.environment;
+    made.surroundings.rotation = 0.4f;
+    made.surroundings.sun = sky.sun;
+    return made;
+}
+
+TEST(PathLightTable, probabilitiesSumToOne) {
+    const ShadingScene shading = shadingOf(manyLights());
+    double sum = 0.0;
+    for (const AliasEntry& entry : shading.lightTable) {
+        sum += entry.probability;
+    }
+    EXPECT_EQ(shading.lightTable.size(), shading.settings.lightCount);
+    EXPECT_NEAR(sum, 1.0, 1e-6);
+    EXPECT_EQ(shading.lightTable.back().probability, shading.settings.environmentProbability);
+
+    // What the slots of the table give in all.
+    std::vector<double> given(shading.lightTable.size());
+    const double slot = 1.0 / static_cast<double>(given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        given[i] += slot * shading.lightTable[i].keep;
+        given[shading.lightTable[i].other] += slot * (1.0 - shading.lightTable[i].keep);
+    }
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        EXPECT_NEAR(given[i], shading.lightTable[i].probability, 1e-6) << i;
+    }
+}
+
+TEST(PathLightTable, densityTimesAreaIsTheShareOfAMaterial) {
+    const ShadingScene shading = shadingOf(manyLights());
+    std::map<std::uint32_t, double> shares;
+    std::map<std::uint32_t, double> areas;
+    for (std::size_t i = 0; i < shading.emitters.size(); ++i) {
+        const Emitter& emitter = shading.emitters[i];
+        const glm::dvec3 v0(emitter.v0);
+        areas[emitter.material] +=
+            0.5 * glm::length(glm::cross(glm::dvec3(emitter.v1) - v0, glm::dvec3(emitter.v2) - v0));
+        shares[emitter.material] += shading.lightTable[i].probability;
+    }
+    ASSERT_EQ(shares.size(), 2u);
+    for (const auto& [material, share] : shares) {
+        EXPECT_GT(share, 0.0);
+        EXPECT_NEAR(shading.materials[material].emissionDensity * areas[material], share, 1e-5 * share);
+    }
+    EXPECT_EQ(shading.materials[2].emissionDensity, 0.0f); // does not shine
+}
+
+// Over the whole sphere the map's density is the probability that it is chosen at all.
+TEST(PathLightTable, densityOfTheMapIsAShareToo) {
+    const ShadingScene shading = shadingOf(manyLights());
+    constexpr int kRows = 512;
+    double sum = 0.0;
+    for (int y = 0; y < kRows; ++y) {
+        const double polar = std::numbers::pi * (y + 0.5) / kRows;
+        for (int x = 0; x < 2 * kRows; ++x) {
+            const double azimuth = std::numbers::pi * (x + 0.5) / kRows;
+            const glm::vec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                      std::sin(polar) * std::sin(azimuth));
+            sum += environmentLight(shading, shading.settings, direction).pdf * std::sin(polar);
+        }
+    }
+    sum *= std::numbers::pi / kRows * std::numbers::pi / kRows;
+    EXPECT_NEAR(sum, shading.settings.environmentProbability, 0.002 * sum);
+}
+
+// What light sampling calls its density is what a ray that meets the light there computes.
+TEST(PathLightTable, bothWaysNameTheSameDensity) {
+    const ShadingScene shading = shadingOf(manyLights());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> even(0.0f, 1.0f);
+    const glm::vec3 point(0.3f, 0.1f, 0.7f);
+    int emitters = 0;
+    int far = 0;
+    int atEdge = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const float uLight = even(random);
+        const glm::vec2 u(even(random), even(random));
+        const SceneLightSample sample = sampleSceneLight(shading, shading.settings, point, uLight, u);
+        ASSERT_NEAR(glm::length(sample.wi), 1.0f, 1e-5f);
+        if (sample.pdf == 0.0f) {
+            continue; // a point light
+        }
+        if (sample.isFar) {
+            const LightRecord& sun = shading.lights[shading.settings.sunIndex];
+            const float inMap = environmentLight(shading, shading.settings, sample.wi).pdf;
+            const float chance =
+                shading.lightTable[shading.settings.emitterCount + shading.settings.sunIndex].probability;
+            const float ofSun = chance / (kTwoPi * sun.scale);
+            const bool isSame = std::abs(sample.pdf - inMap) < 1e-3f * inMap ||
+                                (hitsDisc(sun, sample.wi) && std::abs(sample.pdf - ofSun) < 1e-4f * ofSun);
+            atEdge += isSame ? 0 : 1;
+            ++far;
+            continue;
+        }
+        const AliasSlot slot = aliasSlot(uLight, shading.settings.lightCount);
+        const Emitter& emitter = shading.emitters[chooseAlias(shading.lightTable[slot.index], slot).index];
+        const glm::dvec3 v0(emitter.v0);
+        const glm::dvec3 normal =
+            glm::normalize(glm::cross(glm::dvec3(emitter.v1) - v0, glm::dvec3(emitter.v2) - v0));
+        const double cosine = glm::dot(normal, glm::dvec3(sample.wi));
+        const double t = glm::dot(normal, v0 - glm::dvec3(point)) / cosine;
+        const double density = shading.materials[emitter.material].emissionDensity * t * t / std::abs(cosine);
+        if (std::abs(cosine) > 0.01) {
+            ASSERT_NEAR(sample.pdf, density, 1e-3 * density) << i;
+            ++emitters;
+        }
+    }
+    EXPECT_GT(emitters, 1000);
+    EXPECT_GT(far, 1000);
+    EXPECT_LE(atEdge, far / 1000) << "samples rounded to the next texel of the map";
+}
+
+TEST(PathLightTable, weightsOfBothWaysSumToOne) {
+    PathSettings settings{};
+    settings.strategies = kSampleLights | kSampleBsdf;
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> exponent(-12.0f, 12.0f);
+    for (int i = 0; i < 10'000; ++i) {
+        const float byBsdf = std::pow(10.0f, exponent(random));
+        const float byLights = std::pow(10.0f, exponent(random));
+        ASSERT_NEAR(foundWeight(settings, byBsdf, byLights) + sampledWeight(settings, byLights, byBsdf), 1.0f,
+                    1e-6f)
+            << byBsdf << " " << byLights;
+    }
+    EXPECT_EQ(foundWeight(settings, kCertain, 1.0f), 1.0f); // seen by the camera or in a mirror
+    EXPECT_EQ(foundWeight(settings, 1.0f, 0.0f), 1.0f);     // unknown to light sampling
+    EXPECT_EQ(sampledWeight(settings, 0.0f, 1.0f), 1.0f);   // a point light
+    EXPECT_EQ(sampledWeight(settings, 1.0f, 0.0f), 1.0f);
+
+    settings.strategies = kSampleLights;
+    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f) + sampledWeight(settings, 2.0f, 1.0f), 1.0f);
+    EXPECT_EQ(foundWeight(settings, kCertain, 2.0f), 1.0f);
+    settings.strategies = kSampleBsdf;
+    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f), 1.0f); // what light sampling would add is left out
+}
+
+} // namespace
+} // namespace metamarch::tests

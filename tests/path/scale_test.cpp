@@ -1,0 +1,154 @@
+// Scenes large, small and far from the origin: no surface shadows itself, no wall lets light through.
+#include "path/path_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <string>
+
+namespace metamarch::tests {
+namespace {
+
+// Scaled, then moved along all axes.
+struct Place {
+    float scale;
+    float offset;
+};
+
+void PrintTo(const Place& place, std::ostream* out) {
+    *out << "scaled by " << place.scale << ", moved by " << place.offset;
+}
+
+glm::vec3 placed(const glm::vec3 point, const Place& place) {
+    return point * place.scale + glm::vec3(place.offset);
+}
+
+// Of the coordinates there, as a part of a unit length.
+double ulpOf(const Place& place) { return std::max(place.offset, place.scale) * 0x1p-23 / place.scale; }
+
+class PathScale : public testing::TestWithParam<Place> {
+  protected:
+    // Moves what was made around the origin. Point lights keep what they give.
+    PathScene moved(PathScene made) const {
+        for (glm::vec3& position : made.scene.positions) {
+            position = placed(position, place);
+        }
+        for (PunctualLight& light : made.scene.lights) {
+            light.position = placed(light.position, place);
+            light.intensity *= place.scale * place.scale;
+        }
+        made.view.eye = placed(made.view.eye, place);
+        made.view.verticalExtent *= place.scale;
+        return made;
+    }
+
+    const Place place = GetParam();
+};
+
+PathScene ballUnderSky(const float albedo) {
+    PathScene made;
+    addBall(made.scene, glm::vec3(0.0f), 10.0f, addMaterial(made.scene, lambert(glm::vec3(albedo))));
+    made.surroundings.background = glm::vec3(1.0f);
+    made.view = lookAt({3.0f, 5.0f, 40.0f}, glm::vec3(0.0f), {0, 1, 0});
+    made.view.verticalFov = 0.5f;
+    return made;
+}
+
+TEST_P(PathScale, whiteBallStaysInvisible) {
+    const auto film = render(moved(ballUnderSky(1.0f)), {.samples = 32, .maxBounces = 64, .side = 24});
+    EXPECT_NEAR(coveredMeanOf(film).r, 1.0, 1e-5);
+}
+
+// Convex and exact in every place: no ray that leaves it meets it again, in any pixel.
+TEST_P(PathScale, greyOctahedronStaysConvex) {
+    PathScene made;
+    const std::uint32_t grey = addMaterial(made.scene, lambert(glm::vec3(0.5f)));
+    for (unsigned i = 0; i < 8; ++i) {
+        const float x = i & 1u ? 8.0f : -8.0f;
+        const float y = i & 2u ? 8.0f : -8.0f;
+        const float z = i & 4u ? 8.0f : -8.0f;
+        addFacet(made.scene, {x, 0, 0}, {0, y, 0}, {0, 0, z}, glm::vec3(0.0f), grey);
+    }
+    made.surroundings.background = glm::vec3(1.0f);
+    made.view = lookAt({3.0f, 5.0f, 40.0f}, glm::vec3(0.0f), {0, 1, 0});
+    made.view.verticalFov = 0.4f;
+    std::size_t covered = 0;
+    for (const FilmPixel& pixel : render(moved(made), {.samples = 64, .side = 32})) {
+        if (pixel.covered == static_cast<float>(pixel.samples)) {
+            ASSERT_NEAR(meanOf(pixel).r, 0.5, 1e-5);
+            ++covered;
+        }
+    }
+    EXPECT_GT(covered, 300u);
+}
+
+// A tilted floor under a point light, high or grazing: shadow rays that met their own floor would leave dark
+// pixels.
+TEST_P(PathScale, floorHasNoAcne) {
+    const glm::dvec3 right(6.0, 3.0, 2.0); // with the next a square of side 7
+    const glm::dvec3 up(-2.0, 6.0, -3.0);
+    const glm::dvec3 normal = glm::cross(right, up) / 49.0;
+    for (const double height : {4.0, 0.25}) {
+        PathScene made;
+        addQuad(made.scene, glm::vec3(-2.0 * (right + up)), glm::vec3(4.0 * right), glm::vec3(4.0 * up),
+                addMaterial(made.scene, lambert(glm::vec3(1.0f))));
+        const glm::vec3 lightAt(height * normal);
+        addPointLight(made.scene, lightAt, std::numbers::pi_v<float>);
+        made.view = lookAt(glm::vec3(20.0 * normal), glm::vec3(0.0f), {0, 0, 1});
+        made.view.projection = SceneCamera::Projection::orthographic;
+        made.view.verticalExtent = 10.0f;
+        constexpr double kSide = 32.0;
+        const auto film = render(moved(made), {.samples = 16, .side = 32});
+        for (std::size_t i = 0; i < film.size(); ++i) {
+            // The corner of the pixel that is farthest from the light is the darkest.
+            const double x = (static_cast<double>(i % 32) + 0.5) / kSide - 0.5;
+            const double y = 0.5 - (static_cast<double>(i / 32) + 0.5) / kSide;
+            const double reach = 10.0 * (std::hypot(x, y) + std::numbers::sqrt2 / 2.0 / kSide);
+            const double darkest = height / std::pow(height * height + reach * reach, 1.5);
+            // Heights over the floor are known to a few ulps of the coordinates.
+            const double known = 1.0 - 1e-3 - 8.0 * ulpOf(place) / height;
+            ASSERT_GE(meanOf(film[i]).r, darkest * known) << "pixel " << i << ", light at " << height;
+        }
+    }
+}
+
+// A lamp in a closed box, looked at from outside along edges and corners.
+TEST_P(PathScale, closedBoxStaysBlack) {
+    PathScene made;
+    addBox(made.scene, {-8, -8, -8}, {8, 8, 8}, addMaterial(made.scene, lambert(glm::vec3(1.0f))));
+    addBall(made.scene, {0, 0, 0}, 6.0f, addMaterial(made.scene, emitter(glm::vec3(1e6f))), false, 16);
+    addPointLight(made.scene, {7, 7, 7}, 1e6f);
+    for (const glm::vec3 eye : {glm::vec3(30, 20, 40), glm::vec3(8, 8, 40), glm::vec3(20, 0, 0)}) {
+        made.view = lookAt(eye, {0.5f, 0.3f, 0}, {0, 1, 0});
+        made.view.verticalFov = 0.7f;
+        for (const FilmPixel& pixel : render(moved(made), {.samples = 16, .side = 32})) {
+            ASSERT_EQ(pixel.radiance, glm::vec3(0.0f)) << eye.x;
+        }
+    }
+}
+
+// A dark white room in a bright world, seen from within; 16 bounces among its edges.
+TEST_P(PathScale, closedRoomStaysBlack) {
+    PathScene made;
+    addBox(made.scene, {-8, -16, -8}, {8, 8, 16}, addMaterial(made.scene, lambert(glm::vec3(1.0f))),
+           Facing::inwards);
+    made.surroundings.background = glm::vec3(1.0f);
+    made.view = lookAt({2, 3, 4}, {-8, -8, 0}, {0, 1, 0});
+    made.view.verticalFov = 1.5f;
+    const double leak = meanOf(render(moved(made), {.samples = 64, .maxBounces = 16, .side = 32})).r;
+    // A hit within half an ulp of the next wall is rounded to lie on it, and the path may go on behind:
+    // 16 times the chance of that, walls being 16 to 24 long. Measured below a third of it.
+    const double chance = 16.0 * 4.0 * ulpOf(place) / 16.0;
+    EXPECT_LE(leak, place.offset == 0.0f ? 0.0 : chance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, PathScale,
+                         testing::Values(Place{1.0f, 0.0f}, Place{1e-3f, 0.0f}, Place{1e4f, 0.0f},
+                                         Place{1.0f, 1e5f}, Place{1e4f, 1e5f}, Place{1e-3f, 1.0f}),
+                         [](const auto& instance) { return "Place" + std::to_string(instance.index); });
+
+} // namespace
+} // namespace metamarch::tests

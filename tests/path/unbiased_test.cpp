@@ -1,0 +1,154 @@
+// Ways to the same mean: light sampling, BSDF sampling, both; with and without Russian roulette. Each is
+// rendered with several seeds, whose means are independent, so that their spread is the error to expect.
+#include "path/path_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace metamarch::tests {
+namespace {
+
+constexpr std::uint32_t kSeeds = 12;
+// Both sides of the difference have kSeeds - 1 degrees of freedom; 4.5 standard errors happen once in 5,000.
+constexpr double kLargestZ = 4.5;
+
+// The mean of each quarter of the picture, per channel, and its standard error.
+struct Means {
+    static constexpr std::size_t kCount = 12;
+    std::array<double, kCount> mean{};
+    std::array<double, kCount> error{};
+};
+
+std::array<double, Means::kCount> quartersOf(const std::vector<FilmPixel>& film, const std::uint32_t side) {
+    std::array<double, Means::kCount> sums{};
+    for (std::uint32_t y = 0; y < side; ++y) {
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const glm::dvec3 mean = meanOf(film[std::size_t{y} * side + x]);
+            const std::size_t quarter = 3 * ((y < side / 2 ? 0u : 2u) + (x < side / 2 ? 0u : 1u));
+            for (std::size_t c = 0; c < 3; ++c) {
+                sums[quarter + c] += mean[static_cast<int>(c)] * 4.0 / (side * side);
+            }
+        }
+    }
+    return sums;
+}
+
+Means meansOf(const PathScene& made, PathWork work, const std::uint32_t firstSeed) {
+    std::vector<std::array<double, Means::kCount>> runs;
+    for (std::uint32_t i = 0; i < kSeeds; ++i) {
+        work.seed = firstSeed + i;
+        const auto film = render(made, work);
+        EXPECT_EQ(rejectedOf(film), 0u);
+        runs.push_back(quartersOf(film, work.side));
+    }
+    Means means;
+    for (std::size_t k = 0; k < Means::kCount; ++k) {
+        for (const auto& run : runs) {
+            means.mean[k] += run[k] / kSeeds;
+        }
+        double squares = 0.0;
+        for (const auto& run : runs) {
+            squares += (run[k] - means.mean[k]) * (run[k] - means.mean[k]);
+        }
+        means.error[k] = std::sqrt(squares / (kSeeds - 1) / kSeeds);
+    }
+    return means;
+}
+
+// `power`: the error must be at most this part of the mean, or the comparison says nothing.
+void expectSameMeans(const Means& a, const Means& b, const double power, const std::string& what) {
+    for (std::size_t k = 0; k < Means::kCount; ++k) {
+        const double error = std::hypot(a.error[k], b.error[k]);
+        EXPECT_LE(std::abs(a.mean[k] - b.mean[k]), kLargestZ * error + 1e-6 * a.mean[k])
+            << what << ", quarter and channel " << k << ": " << a.mean[k] << " and " << b.mean[k] << " +- "
+            << error;
+        EXPECT_LE(error, power * a.mean[k] + 1e-6) << what << " " << k;
+    }
+}
+
+void expectSameByEveryStrategy(const PathScene& made, const PathWork& work, const double power) {
+    const auto with = [&](const std::uint32_t strategies, const std::uint32_t firstSeed) {
+        PathWork changed = work;
+        changed.strategies = strategies;
+        return meansOf(made, changed, firstSeed);
+    };
+    const Means both = with(kSampleLights | kSampleBsdf, 1000);
+    expectSameMeans(both, with(kSampleLights, 2000), power, "light sampling");
+    expectSameMeans(both, with(kSampleBsdf, 3000), power, "BSDF sampling");
+}
+
+Material plastic(const glm::vec3 color, const float roughness) {
+    Material material;
+    material.baseColorFactor = glm::vec4(color, 1.0f);
+    material.metallicFactor = 0.0f;
+    material.roughnessFactor = roughness;
+    return material;
+}
+
+// Two lights of different size and colour over a glossy floor; a ball of rough metal and a diffuse one.
+PathScene quadsOverFloor() {
+    PathScene made;
+    Scene& scene = made.scene;
+    addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, addMaterial(scene, plastic({0.6f, 0.5f, 0.4f}, 0.3f)));
+    addQuad(scene, {-1, 1.5f, -0.5f}, {1, 0, 0}, {0, 0, 1}, addMaterial(scene, emitter({4, 3, 2})));
+    addQuad(scene, {0.7f, 1.2f, -0.2f}, {0.5f, 0, 0}, {0, 0.3f, 0.5f},
+            addMaterial(scene, emitter({1, 4, 9})));
+    addBall(scene, {-0.6f, 0.4f, 0.0f}, 0.4f, addMaterial(scene, metal({0.9f, 0.7f, 0.3f}, 0.4f)), true, 16);
+    addBall(scene, {0.5f, 0.35f, 0.3f}, 0.35f, addMaterial(scene, lambert({0.3f, 0.6f, 0.8f})), true, 16);
+    made.view = lookAt({0.5f, 1.2f, 3.0f}, {0, 0.4f, 0}, {0, 1, 0});
+    return made;
+}
+
+// The same things under a map with a bright patch.
+PathScene ballsUnderMap() {
+    PathScene made;
+    Scene& scene = made.scene;
+    addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, addMaterial(scene, plastic({0.6f, 0.5f, 0.4f}, 0.5f)));
+    addBall(scene, {-0.6f, 0.4f, 0.0f}, 0.4f, addMaterial(scene, metal({0.9f, 0.7f, 0.3f}, 0.5f)), true, 16);
+    addBall(scene, {0.5f, 0.35f, 0.3f}, 0.35f, addMaterial(scene, lambert({0.3f, 0.6f, 0.8f})), true, 16);
+    Environment map;
+    map.width = 32;
+    map.height = 16;
+    for (std::uint32_t y = 0; y < map.height; ++y) {
+        for (std::uint32_t x = 0; x < map.width; ++x) {
+            const bool isBright = y >= 3 && y < 6 && x >= 20 && x < 24;
+            map.texels.push_back(isBright ? glm::vec3(30, 20, 10)
+                                          : glm::vec3(0.2f, 0.4f, 0.05f * static_cast<float>(16 - y)));
+        }
+    }
+    made.surroundings.environment = map;
+    made.surroundings.rotation = 0.7f;
+    made.surroundings.intensity = 1.5f;
+    made.view = lookAt({0.5f, 1.2f, 3.0f}, {0, 0.4f, 0}, {0, 1, 0});
+    return made;
+}
+
+// A closed room whose ceiling shines, with two boxes.
+PathScene room() {
+    PathScene made;
+    Scene& scene = made.scene;
+    addBox(scene, {-1, 0, -1}, {1, 2, 1}, addMaterial(scene, lambert({0.7f, 0.5f, 0.3f})), Facing::inwards);
+    addQuad(scene, {-0.5f, 1.95f, -0.5f}, {1, 0, 0}, {0, 0, 1}, addMaterial(scene, emitter({5, 5, 5})));
+    addBox(scene, {-0.7f, 0, -0.6f}, {-0.1f, 1.1f, 0.0f}, addMaterial(scene, lambert({0.8f, 0.8f, 0.8f})));
+    addBox(scene, {0.2f, 0, 0.0f}, {0.7f, 0.5f, 0.5f}, addMaterial(scene, metal({0.8f, 0.8f, 0.8f}, 0.5f)));
+    made.view = lookAt({0, 1.0f, 0.95f}, {0, 0.8f, -1}, {0, 1, 0});
+    made.view.verticalFov = 1.2f;
+    return made;
+}
+
+TEST(PathUnbiased, quadsOverAGlossyFloor) {
+    expectSameByEveryStrategy(quadsOverFloor(), {.samples = 128, .maxBounces = 4}, 0.02);
+}
+
+TEST(PathUnbiased, mapWithABrightPatch) {
+    expectSameByEveryStrategy(ballsUnderMap(), {.samples = 128, .maxBounces = 4}, 0.02);
+}
+
+TEST(PathUnbiased, closedRoom) { expectSameByEveryStrategy(room(), {.samples = 128, .maxBounces = 6}, 0.02); }
+
+} // namespace
+} // namespace metamarch::tests
