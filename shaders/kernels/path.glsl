@@ -63,6 +63,11 @@ void main() {
     Path path = cameraPath(camera, pixel.x, pixel.y, at);
     FirstHit first = missFirst();
     bool isOn = sum.samples < push.endSample;
+    // Of the sample on its way: one that the driver ends is taken anew, and counts once.
+    uint rays = 0u;
+    uint shadowRays = 0u;
+    float steps = 0.0;
+    float tests = 0.0;
 
     // Holds here: `sum` has every sample before sum.samples, of which `path` is on its way.
     do {
@@ -70,9 +75,9 @@ void main() {
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
             const Trace trace = traceSolid(ray, false, at, bounceDimension(path.bounce, kBounceAlpha));
             bool isWhole = trace.finished;
-            sum.steps += float(trace.steps);
-            sum.tests += float(trace.tests);
-            ++sum.rays;
+            steps += float(trace.steps);
+            tests += float(trace.tests);
+            ++rays;
             if (trace.hit.triangleId == kNoTriangle) {
                 path = leaveScene(settings, path);
             } else {
@@ -90,9 +95,9 @@ void main() {
                     const Trace blocker =
                         traceSolid(toLight, true, at, bounceDimension(bounce, kBounceLightAlpha));
                     isWhole = isWhole && blocker.finished;
-                    sum.steps += float(blocker.steps);
-                    sum.tests += float(blocker.tests);
-                    ++sum.shadowRays;
+                    steps += float(blocker.steps);
+                    tests += float(blocker.tests);
+                    ++shadowRays;
                     if (blocker.hit.triangleId == kNoTriangle) {
                         path.radiance += shadow.gain;
                     }
@@ -100,6 +105,14 @@ void main() {
             }
             if (isWhole && !path.isAlive) {
                 sum = addSample(sum, path.radiance, first);
+                sum.rays += rays;
+                sum.shadowRays += shadowRays;
+                sum.steps += steps;
+                sum.tests += tests;
+                rays = 0u;
+                shadowRays = 0u;
+                steps = 0.0;
+                tests = 0.0;
                 at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
                 path = cameraPath(camera, pixel.x, pixel.y, at);
                 first = missFirst();

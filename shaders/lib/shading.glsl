@@ -46,12 +46,17 @@ uvec4 loadMaterialRow(const uint i, const uint row, const bool isUsed) {
     return isUsed ? LOAD4(materialWords, i * kMaterialRows + row) : uvec4(0u);
 }
 
+// The same of textures' indices: a record that is not read has none.
+uvec4 loadTextureRow(const uint i, const uint row, const bool isUsed) {
+    return isUsed ? LOAD4(materialWords, i * kMaterialRows + row) : uvec4(kNoTextureRecord);
+}
+
 MaterialRecord loadMaterial(const uint i) {
     const bool isPainted = hasFeature(kFeatureTextures);
     const vec4 base = uintBitsToFloat(loadMaterialRow(i, 0u, true));
     const vec4 emission = uintBitsToFloat(loadMaterialRow(i, 1u, hasFeature(kFeatureEmission)));
     const uvec4 plain = loadMaterialRow(i, 2u, true);
-    const uvec4 textures = loadMaterialRow(i, 3u, isPainted);
+    const uvec4 textures = loadTextureRow(i, 3u, isPainted);
     const vec4 more = uintBitsToFloat(loadMaterialRow(
         i, 4u, hasFeature(kFeatureNormalMaps | kFeatureAlpha | kFeatureTransmission | kFeatureDispersion)));
     const uvec4 volume = loadMaterialRow(i, 5u, hasFeature(kFeatureTransmission));
@@ -63,11 +68,10 @@ MaterialRecord loadMaterial(const uint i) {
     const vec4 film = uintBitsToFloat(loadMaterialRow(i, 10u, hasFeature(kFeatureIridescence)));
     const uvec4 turn =
         loadMaterialRow(i, 11u, hasFeature(kFeatureAnisotropy) || (isPainted && isTranslucent));
-    const uvec4 textures2 =
-        loadMaterialRow(i, 12u, isPainted && hasFeature(kFeatureSpecular | kFeatureSheen));
+    const uvec4 textures2 = loadTextureRow(i, 12u, isPainted && hasFeature(kFeatureSpecular | kFeatureSheen));
     const uvec4 textures3 =
-        loadMaterialRow(i, 13u, isPainted && hasFeature(kFeatureCoat | kFeatureAnisotropy));
-    const uvec4 textures4 = loadMaterialRow(i, 14u, isPainted && hasFeature(kFeatureIridescence));
+        loadTextureRow(i, 13u, isPainted && hasFeature(kFeatureCoat | kFeatureAnisotropy));
+    const uvec4 textures4 = loadTextureRow(i, 14u, isPainted && hasFeature(kFeatureIridescence));
     return MaterialRecord(base.xyz, base.w, emission.xyz, emission.w, uintBitsToFloat(plain.x),
                           uintBitsToFloat(plain.y), uintBitsToFloat(plain.z), plain.w, textures.x, textures.y,
                           textures.z, textures.w, more.x, more.y, more.z, more.w, uintBitsToFloat(volume.xyz),
