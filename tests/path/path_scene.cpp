@@ -32,18 +32,23 @@ void addIndices(Scene& scene, const glm::uvec3 indices, const std::uint32_t mate
 } // namespace
 
 ShadingScene shadingOf(const PathScene& made) {
-    return makeShadingScene(made.scene, made.surroundings, made.options, kChunkBytes);
+    return makeShadingScene(made.scene, made.surroundings, made.options, made.chunkBytes);
+}
+
+PathSettings settingsOf(const ShadingScene& shading, const PathWork& work) {
+    PathSettings settings = shading.settings;
+    settings.maxBounces = work.maxBounces;
+    settings.seed = work.seed;
+    settings.strategies = work.strategies;
+    settings.clampLuminance = work.clampLuminance;
+    return settings;
 }
 
 std::vector<FilmPixel> render(const PathScene& made, const PathWork& work) {
     const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
     const ShadingScene shading = shadingOf(made);
-    PathSettings settings = shading.settings;
-    settings.maxBounces = work.maxBounces;
-    settings.seed = work.seed;
-    settings.strategies = work.strategies;
-    const Camera camera = makeCamera(made.view, work.side, work.side);
-    return renderPaths(structure, shading, settings, camera, work.samples, [](unsigned) {});
+    const Camera camera = makeCamera(made.view, work.side, work.side, made.camera);
+    return renderPaths(structure, shading, settingsOf(shading, work), camera, work.samples, [](unsigned) {});
 }
 
 glm::dvec3 meanOf(const FilmPixel& pixel) {

@@ -16,6 +16,8 @@ struct PathScene {
     Surroundings surroundings;
     ShadingOptions options;
     SceneCamera view;
+    CameraOptions camera;
+    std::uint64_t chunkBytes = std::uint64_t{1} << 30; // of textures
 };
 
 struct PathWork {
@@ -24,10 +26,11 @@ struct PathWork {
     std::uint32_t seed = 0;
     std::uint32_t strategies = kSampleLights | kSampleBsdf;
     std::uint32_t side = 16; // of the picture, in pixels
+    float clampLuminance = 0.0f;
 };
 
-// What no test means to limit.
-inline constexpr std::uint64_t kChunkBytes = std::uint64_t{1} << 30;
+// The render settings of a scene's light and of the work.
+PathSettings settingsOf(const ShadingScene& shading, const PathWork& work);
 
 ShadingScene shadingOf(const PathScene& made);
 

@@ -103,13 +103,14 @@ PathScene quadsOverFloor() {
     return made;
 }
 
-// The same things under a map with a bright patch.
+// The same things under a map with a bright patch, and a lamp that shares the table with it.
 PathScene ballsUnderMap() {
     PathScene made;
     Scene& scene = made.scene;
     addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, addMaterial(scene, plastic({0.6f, 0.5f, 0.4f}, 0.5f)));
     addBall(scene, {-0.6f, 0.4f, 0.0f}, 0.4f, addMaterial(scene, metal({0.9f, 0.7f, 0.3f}, 0.5f)), true, 16);
     addBall(scene, {0.5f, 0.35f, 0.3f}, 0.35f, addMaterial(scene, lambert({0.3f, 0.6f, 0.8f})), true, 16);
+    addQuad(scene, {-1, 1.5f, -0.5f}, {1, 0, 0}, {0, 0, 1}, addMaterial(scene, emitter({4, 3, 2})));
     Environment map;
     map.width = 32;
     map.height = 16;

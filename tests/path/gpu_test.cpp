@@ -1,0 +1,192 @@
+// The path tracer on the device against the CPU's: the same film to the bit. steps and tests apart, which
+// belong to the traversal.
+#include "fixtures/shared_scenes.h"
+#include "fixtures/vulkan_environment.h"
+#include "path/gpu_scenes.h"
+#include "reference/path.h"
+#include "render/path_renderer.h"
+#include "scene/import.h"
+#include "scene/shading.h"
+#include "scene/sky.h"
+#include "shader_library.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace metamarch::tests {
+namespace {
+
+struct Picture {
+    std::uint32_t width;
+    std::uint32_t height;
+};
+
+// A scene on both sides.
+class Sides {
+  public:
+    Sides(const PathScene& given, const Picture size)
+        : made(given), structure(buildAccelerationStructure(made.scene, {})), shading(shadingOf(made)),
+          primary(makeShadingData(made.scene)),
+          camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
+
+    std::vector<FilmPixel> onCpu(const PathWork& work) const {
+        return renderPaths(structure, shading, settingsOf(shading, work), camera, work.samples,
+                           [](unsigned) {});
+    }
+
+    enum class Where { fasterMemory, storageBuffers };
+
+    render::PathRender onDevice(const std::string& traversal, const PathWork& work,
+                                const Where where = Where::fasterMemory) const {
+        const vulkan::Device& device = vulkan::testDevice();
+        const render::SceneBuffers buffers =
+            where == Where::fasterMemory
+                ? render::SceneBuffers(device, structure, primary)
+                : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
+        const render::ShadingBuffers shadingBuffers(device, shading);
+        return render::renderPaths(device, buffers, shadingBuffers, traversal, settingsOf(shading, work),
+                                   camera, work.samples, [](double) {});
+    }
+
+  private:
+    PathScene made;
+    AccelerationStructure structure;
+    ShadingScene shading;
+    ShadingData primary;
+    Camera camera;
+};
+
+const std::string kDefaultTraversal(traversals().front());
+
+void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected) {
+    ASSERT_EQ(film.size(), expected.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < film.size(); ++i) {
+        const bool isSame = std::memcmp(&film[i], &expected[i], offsetof(FilmPixel, steps)) == 0;
+        if (!isSame && different++ == 0) {
+            ADD_FAILURE() << "pixel " << i << ": radiance " << film[i].radiance.r << " " << film[i].radiance.g
+                          << " " << film[i].radiance.b << ", expected " << expected[i].radiance.r << " "
+                          << expected[i].radiance.g << " " << expected[i].radiance.b << "; rays "
+                          << film[i].rays << ", " << expected[i].rays;
+        }
+    }
+    EXPECT_EQ(different, 0u) << "pixels of " << film.size();
+}
+
+// Not all of them black or alike.
+void expectPicture(const std::vector<FilmPixel>& film) {
+    std::size_t bright = 0;
+    for (const FilmPixel& pixel : film) {
+        bright += pixel.radiance.g > 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(bright, film.size() / 20);
+}
+
+class PathGpu : public testing::TestWithParam<GpuPathScene> {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+};
+
+TEST_P(PathGpu, drawsWhatTheCpuDraws) {
+    const PathWork work = GetParam().work;
+    const Sides sides(GetParam().make(), {work.side + 12, work.side + 4});
+    const auto expected = sides.onCpu(work);
+    expectPicture(expected);
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PathGpu, testing::ValuesIn(gpuPathScenes()),
+                         [](const auto& instance) { return instance.param.name; });
+
+class PathGpuWork : public testing::Test {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+
+    const PathWork work{.samples = 5};
+};
+
+TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
+    const Sides sides(blended(), {28, 20});
+    const auto expected = sides.onCpu(work);
+    for (const char* const traversal : {"kd_stack", "bvh_stack"}) {
+        SCOPED_TRACE(traversal);
+        expectSameFilm(sides.onDevice(traversal, work).film, expected);
+    }
+}
+
+// llvmpipe takes half a minute to compile all features over storage buffers: so not of everything.
+TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
+    const Sides sides(blended(), {28, 20});
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work, Sides::Where::storageBuffers).film,
+                   sides.onCpu(work));
+}
+
+// More samples than one dispatch takes, more tiles than a submission.
+TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
+    const Sides sides(gpuPathScenes().front().make(), {100, 70});
+    const PathWork many{.samples = 37, .maxBounces = 2};
+    const render::PathRender whole = sides.onDevice(kDefaultTraversal, many);
+    EXPECT_GE(whole.submissions, 4u);
+    expectSameFilm(whole.film, sides.onCpu(many));
+}
+
+// More tiles than the film on the device holds: 2^14 of 8 x 8 pixels.
+TEST_F(PathGpuWork, bandsDrawTheSame) {
+    const Sides sides(gpuPathScenes().front().make(), {1153, 1000});
+    const PathWork few{.samples = 1, .maxBounces = 0};
+    expectSameFilm(sides.onDevice(kDefaultTraversal, few).film, sides.onCpu(few));
+}
+
+struct FileScene {
+    std::string name;
+    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own
+};
+
+void PrintTo(const FileScene& scene, std::ostream* out) { *out << scene.name; }
+
+class PathGpuFile : public testing::TestWithParam<FileScene> {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+};
+
+TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
+    std::filesystem::path file = std::filesystem::path(METAMARCH_SOURCE_DIR) / GetParam().file;
+    if (!GetParam().file.starts_with("scenes/")) {
+        const auto folder = sharedScenes();
+        if (!folder) {
+            return;
+        }
+        file = *folder / GetParam().file;
+    }
+    PathScene made;
+    made.scene = loadScene(file);
+    const Sky sky = makeSky({.width = 64});
+    made.surroundings.environment = sky.environment;
+    made.surroundings.sun = sky.sun;
+    made.view = made.scene.cameras.empty()
+                    ? frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 4.0f / 3.0f)
+                    : made.scene.cameras.front();
+    const Sides sides(made, {48, 36});
+    const PathWork work{.samples = 4};
+    const auto expected = sides.onCpu(work);
+    expectPicture(expected);
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, PathGpuFile,
+                         testing::Values(FileScene{"cornell", "scenes/cornell.glb"},
+                                         FileScene{"degenerate", "scenes/degenerate.glb"},
+                                         FileScene{"objects", "scenes/objects.glb"},
+                                         FileScene{"shared_cornell", "gltf/CornellBox.glb"},
+                                         FileScene{"helmet", "gltf/DamagedHelmet.glb"},
+                                         FileScene{"spheres", "gltf/MetalRoughSpheresNoTextures.glb"},
+                                         FileScene{"transmission", "gltf/TransmissionTest.glb"},
+                                         FileScene{"clear_coat", "gltf/ClearCoatTest.glb"},
+                                         FileScene{"alpha_blend", "gltf/AlphaBlendModeTest.glb"},
+                                         FileScene{"lamp",
+                                                   "gltf/LightsPunctualLamp/LightsPunctualLamp.gltf"}),
+                         [](const auto& instance) { return instance.param.name; });
+
+} // namespace
+} // namespace metamarch::tests

@@ -1,0 +1,130 @@
+"""Pictures of other path tracers: ../shared/references, or the folder that METAMARCH_REFERENCES names.
+
+Each case is rendered with few samples; its mean agrees with that of the reference, and pixels and means of small blocks
+differ by no more than the noise that the picture itself reports (its variance channels) and that of the reference.
+"""
+import json
+import math
+import os
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from program import SOURCE, ProgramTest, main
+
+SIDE = 256
+SAMPLES = 16
+BLOCK = 8  # pixels: means over squares of that side have that part of the noise, and all of a bias
+TRIMMED = 0.005  # of the pixels or blocks, the worst, are left out of the error: fireflies and edges of lights
+
+
+def references():
+    """The folder, or None, said on stderr."""
+    folder = Path(os.environ.get("METAMARCH_REFERENCES", SOURCE.parent / "shared" / "references"))
+    if folder.is_dir():
+        return folder
+    if "METAMARCH_REFERENCES" in os.environ:
+        raise NotADirectoryError(f"METAMARCH_REFERENCES names no folder: {folder}")
+    print(f"the references are absent: {folder}; METAMARCH_REFERENCES names another folder", file=sys.stderr)
+    return None
+
+
+def numbers(values):
+    return ",".join(repr(float(value)) for value in values)
+
+
+def flat(picture, channel):
+    return sum(picture[channel], [])
+
+
+def block_means(values):
+    means = []
+    for top in range(0, SIDE, BLOCK):
+        for left in range(0, SIDE, BLOCK):
+            rows = (values[y * SIDE + left:y * SIDE + left + BLOCK] for y in range(top, top + BLOCK))
+            means.append(sum(map(sum, rows)) / BLOCK**2)
+    return means
+
+
+def trimmed_root(squares):
+    """Of the mean of per-channel squares, the worst places left out."""
+    places = sorted(map(sum, zip(*squares)))
+    kept = places[:int(len(places) * (1 - TRIMMED))]
+    return math.sqrt(sum(kept) / (len(squares) * len(kept)))
+
+
+class Comparison:
+    """Means per channel; trimmed errors and noise, relative to the mean of the reference."""
+
+    def __init__(self, ours, reference):
+        def error_between(a, b):
+            return trimmed_root([[(v - w) ** 2 for v, w in zip(x, y)] for x, y in zip(a, b)]) / mean
+
+        a = [flat(ours, channel) for channel in "RGB"]
+        b = [flat(reference, channel) for channel in "RGB"]
+        mean = sum(map(sum, b)) / (3 * len(b[0]))
+        self.ratios = [sum(x) / sum(y) for x, y in zip(a, b)]
+        self.error = error_between(a, b)
+        self.block_error = error_between(list(map(block_means, a)), list(map(block_means, b)))
+        variance = [flat(ours, "variance." + channel) for channel in "RGB"]
+        self.noise = trimmed_root(variance) / mean
+        self.block_noise = trimmed_root(list(map(block_means, variance))) / BLOCK / mean
+
+
+class ReferencesTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.folder = references()
+
+    def render(self, name, *words):
+        case = json.loads((self.folder / "cases" / f"{name}.json").read_text())
+        camera = case["camera"]
+        environment = case["environment"]
+        light = (["--background=" + numbers(environment["color"])] if environment["type"] == "constant"
+                 else ["--env", self.folder / environment["file"]])
+        self.assertEqual((case["width"], case["height"], case["max_bounces"]), (SIDE, SIDE, 8))
+        result = self.run_program("render", self.folder / case["scene"], "-o", "ours.exr", "--size", f"{SIDE}x{SIDE}",
+                                  "--eye=" + numbers(camera["position"]), "--target=" + numbers(camera["target"]),
+                                  "--vfov", str(camera["vfov_degrees"]), *light, "--spp", str(SAMPLES),
+                                  "--max-bounces", "8", "--quiet", *words)
+        self.assertEqual(result.returncode, 0, result.stderr)  # of its environment the program warns
+        return self.read_picture("ours.exr")
+
+    def expect_same(self, picture, reference, mean_tolerance, model_error=0.0):
+        """`model_error`: what the two BRDFs differ by, as a part of the mean."""
+        file = self.folder / "ref" / f"{reference}.exr"
+        noise = json.loads(file.with_suffix(".json").read_text())["noise_rel_rmse_trim0p5"]
+        compared = Comparison(picture, self.read_picture(file))
+        said = (f"{reference}: means {', '.join(f'{r:.4f}' for r in compared.ratios)}; error {compared.error:.4f}, "
+                f"noise {compared.noise:.4f} and {noise:.4f}; of blocks {compared.block_error:.4f}, "
+                f"{compared.block_noise:.4f} and {noise / BLOCK:.4f}")
+        print(said, file=sys.stderr)
+        for ratio in compared.ratios:
+            self.assertLess(abs(ratio - 1), mean_tolerance, said)
+        # Samples are stratified: their variance bounds the error from above.
+        self.assertLess(compared.error, math.hypot(compared.noise, noise, model_error), said)
+        self.assertLess(compared.block_error, math.hypot(compared.block_noise, noise / BLOCK, model_error), said)
+
+    def test_diffuse_scenes(self):
+        if self.folder is None:
+            return
+        for name in ("a_cornell", "c2_bunny_hdr_soft", "l_lights_diffuse"):
+            picture = self.render(name)
+            for renderer in ("cycles", "mitsuba"):
+                with self.subTest(case=name, renderer=renderer):
+                    self.expect_same(picture, f"{name}.{renderer}", 0.005)
+
+    def test_helmet(self):
+        if self.folder is None:
+            return
+        self.expect_same(self.render("e_damaged_helmet"), "e_damaged_helmet.cycles", 0.01, 0.02)
+
+    def test_spheres_of_every_roughness(self):
+        if self.folder is None:
+            return
+        self.expect_same(self.render("f_spheres_hdr"), "f_spheres_hdr.cycles", 0.01, 0.02)
+        self.expect_same(self.render("f_spheres_hdr", "--brdf", "gltf"), "f_spheres_hdr.mitsuba_gltf", 0.01, 0.02)
+
+
+if __name__ == "__main__":
+    main()
