@@ -139,10 +139,10 @@ TEST_P(PathScale, closedRoomStaysBlack) {
     made.view = lookAt({2, 3, 4}, {-8, -8, 0}, {0, 1, 0});
     made.view.verticalFov = 1.5f;
     const double leak = meanOf(render(moved(made), {.samples = 64, .maxBounces = 16, .side = 32})).r;
-    // A hit within half an ulp of the next wall is rounded to lie on it, and the path may go on behind:
-    // 16 times the chance of that, walls being 16 to 24 long. Measured below a third of it.
+    // A hit within half an ulp of the next wall is rounded to lie on it, and the path may go on behind: 16
+    // times the chance of that at 4 edges, walls being 16 long and more. Measured at most a sixth of it.
     const double chance = 16.0 * 4.0 * ulpOf(place) / 16.0;
-    EXPECT_LE(leak, place.offset == 0.0f ? 0.0 : chance);
+    EXPECT_LE(leak, place.offset == 0.0f ? 0.0 : 0.25 * chance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, PathScale,
