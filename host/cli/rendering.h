@@ -28,8 +28,8 @@ struct Rendering {
     std::string device;
     std::string driver;
     std::string traversal;
-    nlohmann::ordered_json stats; // rays, seconds and the like; not the scene's
-    std::string summary;          // for the last line: what a ray or a sample took
+    nlohmann::ordered_json stats;                      // rays, seconds and the like; not the scene's
+    std::string summary;                               // for the last line: what a ray or a sample took
     std::optional<nlohmann::ordered_json> rectilinear; // reportRectilinear of the table that was marched
 };
 
