@@ -6,6 +6,7 @@
 #include "cli/path_rendering.h"
 #include "cli/primary_rendering.h"
 #include "cli/scene_options.h"
+#include "cli/stopwatch.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
 #include "cli/tone_options.h"
@@ -72,16 +73,19 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 void addHeader(Image& image, const RenderOptions& options, const SceneCamera& camera,
                const Rendering& rendering) {
     const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    image.attributes = {{"Software", programVersion()},
-                        {"metamarch/device", rendering.device},
-                        {"metamarch/driver", rendering.driver},
-                        {"metamarch/traversal", rendering.traversal},
-                        {"metamarch/integrator", options.integrator},
-                        {"metamarch/scene", options.scenePath},
-                        {"metamarch/camera", camera.name},
-                        {"metamarch/eye", point(camera.eye)},
-                        {"metamarch/forward", point(camera.forward)},
-                        {"metamarch/up", point(camera.up)}};
+    const std::vector<std::pair<std::string, std::string>> ofPicture = {
+        {"Software", programVersion()},
+        {"metamarch/device", rendering.device},
+        {"metamarch/driver", rendering.driver},
+        {"metamarch/traversal", rendering.traversal},
+        {"metamarch/integrator", options.integrator},
+        {"metamarch/scene", options.scenePath},
+        {"metamarch/camera", camera.name},
+        {"metamarch/eye", point(camera.eye)},
+        {"metamarch/forward", point(camera.forward)},
+        {"metamarch/up", point(camera.up)},
+        {"metamarch/seconds", fmt::format("{:.3f}", rendering.stats["seconds"]["render"].get<double>())}};
+    image.attributes.insert(image.attributes.end(), ofPicture.begin(), ofPicture.end());
 }
 
 nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure& structure,
@@ -127,6 +131,14 @@ Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
                        options.path.samples());
 }
 
+// The background is part of what a path tracer draws. In a PNG, which knows no light beside its alpha,
+// nothing may show through it.
+void makeOpaque(Image& image) {
+    if (const auto alpha = image.findChannel("A")) {
+        image.channels[*alpha] = "coverage";
+    }
+}
+
 void runRender(const RenderOptions& options) {
     checkArguments(options);
     const glm::uvec2 size = parseSize("--size", options.size);
@@ -152,15 +164,25 @@ void runRender(const RenderOptions& options) {
         render::requireTraversal(device->report(), traversal);
     }
 
+    const Stopwatch import;
     const Scene scene = loadScene(options.scenePath, options.scene.parse());
+    const double importSeconds = import.seconds();
     printWarnings(scene);
     const SceneCamera sceneCamera = options.camera.choose(scene, size);
     const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.camera.parse());
+    const Stopwatch build;
     const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    const double buildSeconds = build.seconds();
     printWarnings(scene, structure);
     const RenderJob job{scene, structure, camera, device ? &*device : nullptr, traversal, options.quiet};
     Rendering rendering = options.integrator == "primary" ? renderPrimary(job) : tracePaths(job, options);
 
+    rendering.stats["seconds"]["import"] = importSeconds;
+    rendering.stats["seconds"]["build"] = buildSeconds;
+
+    if (options.integrator != "primary" && std::filesystem::path(options.outputPath).extension() == ".png") {
+        makeOpaque(rendering.image);
+    }
     addHeader(rendering.image, options, sceneCamera, rendering);
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
     writeImage(rendering.image, options.outputPath, options.tone.parse(options.integrator));
@@ -223,7 +245,7 @@ void addRenderCommand(CLI::App& program) {
     options->structure.addTo(*command);
     command->footer(
         "Pixel (0,0) is top left.\n\n"
-        "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360");
+        "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16");
     command->callback([options] { runRender(*options); });
 }
 

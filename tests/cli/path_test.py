@@ -78,6 +78,12 @@ class PathTest(ProgramTest):
         self.render(DEGENERATE, "--spp", "1", "--sky", name="b.exr")
         self.succeed("compare", "a.exr", "b.exr", "--max-abs", "0")
 
+    def test_a_png_shows_the_background(self):
+        self.render(DEGENERATE, "--background", "1,1,1", "--tone-map", "none", "--spp", "1", name="a.png")
+        picture = self.read_picture("a.png")
+        self.assertEqual(set(picture), {"R", "G", "B"})
+        self.assertEqual(picture["R"][0][0], 1)
+
     def test_statistics(self):
         self.render(CORNELL, "--spp", "4", "--stats", "s.json")
         stats = json.loads((self.tmp / "s.json").read_text())

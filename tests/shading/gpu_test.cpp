@@ -139,8 +139,26 @@ TEST(ShadingOnDevice, bsdfWithoutUnusedFeaturesHasTheSameBits) {
                 uses(kFeatureDiffuseTransmission) ? material.diffuseTransmission : 0.0f;
         }
         SCOPED_TRACE(features);
-        expectSameBits(cases, runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {{kFeatures, features}}));
+        const uint32_t compiled = features | kFeatureFacets;
+        expectSameBits(cases, runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {{kFeatures, compiled}}));
     }
+}
+
+TEST(ShadingOnDevice, diffuseSurfacesWithoutFacetsHaveTheSameBits) {
+    constexpr uint32_t kFeatures = 0; // constant_id
+    std::vector<BsdfCase> cases = randomBsdfCases(kCases / 4);
+    for (BsdfCase& asked : cases) {
+        SurfaceMaterial& material = asked.material;
+        material.metallic = 0.0f;
+        material.specular = 0.0f;
+        material.coat = 0.0f;
+        material.sheenColor = vec3(0.0f);
+        material.transmission = 0.0f;
+        material.flags &= ~kSurfaceVolume;
+        material.iridescence = 0.0f;
+        material.diffuseTransmission = 0.0f;
+    }
+    expectSameBits(cases, runKernel<BsdfAnswer>(bsdfSpirv, "bsdf", cases, {{kFeatures, 0u}}));
 }
 
 } // namespace
