@@ -105,7 +105,7 @@ MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelS
     return record;
 }
 
-// What --integrator ao lights: white, diffuse, with the holes of the material it stands for.
+// What --integrator ao lights: white and diffuse. Holes that a texture cuts are closed: white paint has none.
 Material whitened(const Material& material) {
     Material white;
     white.metallicFactor = 0.0f;
