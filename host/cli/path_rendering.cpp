@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <optional>
 #include <utility>
 
 namespace metamarch::cli {
@@ -20,10 +18,11 @@ namespace {
 std::vector<FilmPixel> renderOnCpu(const RenderJob& job, const ShadingScene& shading,
                                    const PathSettings& settings, const std::uint32_t samples,
                                    Rendering& result) {
-    Progress progress("rendering", !job.quiet);
+    RowProgress progress(job.camera.height, !job.quiet);
     const Stopwatch stopwatch;
     std::vector<FilmPixel> film =
-        metamarch::renderPaths(job.structure, shading, settings, job.camera, samples, [](unsigned) {});
+        metamarch::renderPaths(job.structure, shading, settings, job.camera, samples,
+                               [&](const unsigned rows) { progress.finish(rows); });
     describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return film;
@@ -38,16 +37,10 @@ std::vector<FilmPixel> renderOnGpu(const RenderJob& job, const ShadingScene& sha
     result.stats["seconds"]["upload"] = upload.seconds();
 
     const Stopwatch stopwatch;
-    std::optional<Progress> progress(std::in_place, "compiling", !job.quiet);
-    bool isFirst = true;
-    render::PathRender render = render::renderPaths(*job.device, scene, buffers, job.traversal, settings,
-                                                    job.camera, samples, [&](const double part) {
-                                                        if (std::exchange(isFirst, false)) {
-                                                            progress.reset();
-                                                            progress.emplace("rendering", !job.quiet);
-                                                        }
-                                                        progress->show(part);
-                                                    });
+    DeviceProgress progress(!job.quiet);
+    render::PathRender render =
+        render::renderPaths(*job.device, scene, buffers, job.traversal, settings, job.camera, samples,
+                            [&](const double part) { progress.show(part); });
     describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;

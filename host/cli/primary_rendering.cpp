@@ -9,16 +9,15 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 namespace metamarch::cli {
 namespace {
 
 std::vector<PrimaryPixel> renderOnCpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
-    Progress progress("rendering", !job.quiet);
+    RowProgress progress(job.camera.height, !job.quiet);
     const Stopwatch stopwatch;
-    std::vector<PrimaryPixel> pixels = metamarch::renderPrimary(
-        job.structure, shading.materials, shading.materialOfTriangle, job.camera, [](unsigned) {});
+    std::vector<PrimaryPixel> pixels =
+        metamarch::renderPrimary(job.structure, shading.materials, shading.materialOfTriangle, job.camera,
+                                 [&](const unsigned rows) { progress.finish(rows); });
     describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return pixels;
@@ -30,16 +29,9 @@ std::vector<PrimaryPixel> renderOnGpu(const RenderJob& job, const ShadingData& s
     result.stats["seconds"]["upload"] = upload.seconds();
 
     const Stopwatch stopwatch;
-    std::optional<Progress> progress(std::in_place, "compiling", !job.quiet);
-    bool isFirst = true;
-    render::PrimaryRender render =
-        render::renderPrimary(*job.device, scene, job.traversal, job.camera, [&](const double part) {
-            if (std::exchange(isFirst, false)) {
-                progress.reset();
-                progress.emplace("rendering", !job.quiet);
-            }
-            progress->show(part);
-        });
+    DeviceProgress progress(!job.quiet);
+    render::PrimaryRender render = render::renderPrimary(*job.device, scene, job.traversal, job.camera,
+                                                         [&](const double part) { progress.show(part); });
     describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;

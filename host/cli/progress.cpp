@@ -32,4 +32,25 @@ void Progress::show(const double part) {
     std::fflush(stderr);
 }
 
+DeviceProgress::DeviceProgress(const bool progressWanted) : wanted(progressWanted) {
+    bar.emplace("compiling", wanted);
+}
+
+void DeviceProgress::show(const double part) {
+    if (std::exchange(isCompiling, false)) {
+        bar.reset(); // clears its line before the next one draws
+        bar.emplace("rendering", wanted);
+    }
+    bar->show(part);
+}
+
+RowProgress::RowProgress(const unsigned rowCount, const bool wanted)
+    : bar("rendering", wanted), rows(rowCount) {}
+
+void RowProgress::finish(const unsigned finishedRows) {
+    const std::scoped_lock lock(mutex);
+    finished += finishedRows;
+    bar.show(static_cast<double>(finished) / rows);
+}
+
 } // namespace metamarch::cli

@@ -1,6 +1,8 @@
 // A progress bar on a terminal, nothing elsewhere.
 #pragma once
 #include <chrono>
+#include <mutex>
+#include <optional>
 #include <string>
 
 namespace metamarch::cli {
@@ -19,6 +21,33 @@ class Progress {
     std::string label;
     bool visible;
     std::chrono::steady_clock::time_point lastDrawn{};
+};
+
+// Of a device, which may spend its first submission on compiling.
+class DeviceProgress {
+  public:
+    explicit DeviceProgress(bool progressWanted);
+
+    void show(double part); // 0..1, after each submission
+
+  private:
+    bool wanted;
+    bool isCompiling = true;
+    std::optional<Progress> bar;
+};
+
+// Of rows that several threads finish.
+class RowProgress {
+  public:
+    RowProgress(unsigned rowCount, bool wanted);
+
+    void finish(unsigned finishedRows); // any thread
+
+  private:
+    std::mutex mutex;
+    Progress bar;
+    unsigned rows;
+    unsigned finished = 0;
 };
 
 } // namespace metamarch::cli

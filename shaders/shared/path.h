@@ -14,9 +14,9 @@ SHARED_BEGIN
 
 // In place of a density: no other way finds this direction.
 const float kCertain = 1.0e30f;
-// Before this bounce paths are not ended by chance, then with the square root of what they still carry: of
-// the starts 1 to 4 and the powers 1 and 1/2, the least error for the time in a closed box and under an open
-// sky.
+// Before this bounce paths are not ended by chance, then they survive with the square root of what they still
+// carry. In a closed box and under a map it had the least error for its time, against what they carry itself
+// from bounces 1, 2 and 4, the root from bounce 1, and no roulette.
 const uint kFirstRoulette = 3u;
 const float kLeastSurvival = 0.05f;
 

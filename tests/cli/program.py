@@ -27,15 +27,20 @@ def main():
     unittest.main()
 
 
-def shared_scenes():
-    """The folder of other people's scenes, or None, said on stderr."""
-    folder = Path(os.environ.get("METAMARCH_SCENES", SOURCE.parent / "shared" / "scenes"))
+def folder_of_others(variable, name):
+    """The folder that the environment's `variable` names, else ../shared/`name`, or None, said on stderr."""
+    folder = Path(os.environ.get(variable, SOURCE.parent / "shared" / name))
     if folder.is_dir():
         return folder
-    if "METAMARCH_SCENES" in os.environ:
-        raise NotADirectoryError(f"METAMARCH_SCENES names no folder: {folder}")
-    print(f"the shared scenes are absent: {folder}; METAMARCH_SCENES names another folder", file=sys.stderr)
+    if variable in os.environ:
+        raise NotADirectoryError(f"{variable} names no folder: {folder}")
+    print(f"the shared {name} are absent: {folder}; {variable} names another folder", file=sys.stderr)
     return None
+
+
+def shared_scenes():
+    """The folder of other people's scenes, or None, said on stderr."""
+    return folder_of_others("METAMARCH_SCENES", "scenes")
 
 
 class ProgramTest(unittest.TestCase):

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
-from program import SOURCE, ProgramTest, main
+from program import ProgramTest, folder_of_others, main
 
 SIDE = 256
 SAMPLES = 16
@@ -19,14 +19,8 @@ TRIMMED = 0.005  # of the pixels or blocks, the worst, are left out of the error
 
 
 def references():
-    """The folder, or None, said on stderr."""
-    folder = Path(os.environ.get("METAMARCH_REFERENCES", SOURCE.parent / "shared" / "references"))
-    if folder.is_dir():
-        return folder
-    if "METAMARCH_REFERENCES" in os.environ:
-        raise NotADirectoryError(f"METAMARCH_REFERENCES names no folder: {folder}")
-    print(f"the references are absent: {folder}; METAMARCH_REFERENCES names another folder", file=sys.stderr)
-    return None
+    """The folder of other renderers' pictures, or None, said on stderr."""
+    return folder_of_others("METAMARCH_REFERENCES", "references")
 
 
 def numbers(values):
