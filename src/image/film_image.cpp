@@ -16,7 +16,7 @@ Image filmImage(const std::span<const FilmPixel> film, const int width, const in
         const bool isMiss = pixel.triangleId == kNoTriangle;
         const auto count = static_cast<float>(std::max(pixel.samples - pixel.rejected, 1u));
         const auto taken = static_cast<float>(std::max(pixel.samples, 1u));
-        const glm::vec3 color = pixel.radiance / count;
+        const glm::vec3 color = meanRadiance(pixel);
         const glm::vec3 normal = pixel.normal / count;
         const glm::vec3 shadingNormal = pixel.shadingNormal / count;
         const glm::vec3 albedo = pixel.albedo / count;

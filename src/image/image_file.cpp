@@ -102,9 +102,9 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
                                  unassociated(values[*blue], coverage));
         const glm::vec3 shown = toneMapped(toneMapping, radiance);
         for (int color = 0; color < 3; ++color)
-            bytes.push_back(toSrgb8(shown[color]));
+            bytes.push_back(static_cast<std::uint8_t>(toSrgb8(shown[color])));
         if (alpha)
-            bytes.push_back(toLinear8(coverage));
+            bytes.push_back(static_cast<std::uint8_t>(toLinear8(coverage)));
     }
 
     OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3, OIIO::TypeUInt8);

@@ -107,7 +107,7 @@ TEST(ImageFile, PngIsToneMapped) {
 // Neutral takes 0.04 off each colour and leaves alpha; EXR stays linear.
 TEST(ImageFile, OnlyPngIsToneMappedAsAsked) {
     const TemporaryFolder folder;
-    const ToneMapping neutral = {.toneOperator = ToneOperator::neutral, .exposure = 1.0f};
+    const ToneMapping neutral = {.toneOperator = kToneNeutral, .exposure = 1.0f};
     const Image image = flat({"R", "G", "B", "A"}, {0.06f, 0.135f, 0.07f, 0.5f});
     writeImage(image, folder / "a.png", neutral);
     EXPECT_EQ(bytesOf(readImage(folder / "a.png")), (std::vector<int>{124, 188, 134, 128}));

@@ -16,22 +16,22 @@ namespace {
 
 // By hand from IEC 61966-2-1: 255 * (1.055 * x^(1/2.4) - 0.055), below 0.0031308 255 * 12.92 * x.
 TEST(ToneMapping, FollowsTheSrgbCurve) {
-    EXPECT_EQ(toSrgb8(0.0f), 0);
-    EXPECT_EQ(toSrgb8(0.001f), 3);   // 3.29, the straight part
-    EXPECT_EQ(toSrgb8(0.0031f), 10); // 10.21
-    EXPECT_EQ(toSrgb8(0.18f), 118);  // 117.6, middle grey
-    EXPECT_EQ(toSrgb8(0.5f), 188);   // 187.5
-    EXPECT_EQ(toSrgb8(1.0f), 255);
+    EXPECT_EQ(toSrgb8(0.0f), 0u);
+    EXPECT_EQ(toSrgb8(0.001f), 3u);   // 3.29, the straight part
+    EXPECT_EQ(toSrgb8(0.0031f), 10u); // 10.21
+    EXPECT_EQ(toSrgb8(0.18f), 118u);  // 117.6, middle grey
+    EXPECT_EQ(toSrgb8(0.5f), 188u);   // 187.5
+    EXPECT_EQ(toSrgb8(1.0f), 255u);
 }
 
 TEST(ToneMapping, ClampsWhatAScreenCannotShow) {
-    EXPECT_EQ(toSrgb8(-1.0f), 0);
-    EXPECT_EQ(toSrgb8(17.0f), 255);
-    EXPECT_EQ(toSrgb8(std::numeric_limits<float>::infinity()), 255);
-    EXPECT_EQ(toSrgb8(-std::numeric_limits<float>::infinity()), 0);
-    EXPECT_EQ(toSrgb8(std::numeric_limits<float>::quiet_NaN()), 0);
-    EXPECT_EQ(toLinear8(std::numeric_limits<float>::quiet_NaN()), 0);
-    EXPECT_EQ(toLinear8(2.0f), 255);
+    EXPECT_EQ(toSrgb8(-1.0f), 0u);
+    EXPECT_EQ(toSrgb8(17.0f), 255u);
+    EXPECT_EQ(toSrgb8(std::numeric_limits<float>::infinity()), 255u);
+    EXPECT_EQ(toSrgb8(-std::numeric_limits<float>::infinity()), 0u);
+    EXPECT_EQ(toSrgb8(std::numeric_limits<float>::quiet_NaN()), 0u);
+    EXPECT_EQ(toLinear8(std::numeric_limits<float>::quiet_NaN()), 0u);
+    EXPECT_EQ(toLinear8(2.0f), 255u);
 }
 
 TEST(ToneMapping, NeverFallsAsLightGrows) {
@@ -40,15 +40,15 @@ TEST(ToneMapping, NeverFallsAsLightGrows) {
 }
 
 TEST(ToneMapping, AlphaIsLinear) {
-    EXPECT_EQ(toLinear8(0.25f), 64); // 63.75
-    EXPECT_EQ(toLinear8(0.5f), 128); // 127.5
+    EXPECT_EQ(toLinear8(0.25f), 64u); // 63.75
+    EXPECT_EQ(toLinear8(0.5f), 128u); // 127.5
 }
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr ToneMapping kNone = {};
-constexpr ToneMapping kNeutral = {.toneOperator = ToneOperator::neutral};
-constexpr ToneMapping kAces = {.toneOperator = ToneOperator::aces};
-constexpr ToneMapping kAgx = {.toneOperator = ToneOperator::agx};
+constexpr ToneMapping kNeutral = {.toneOperator = kToneNeutral};
+constexpr ToneMapping kAces = {.toneOperator = kToneAces};
+constexpr ToneMapping kAgx = {.toneOperator = kToneAgx};
 
 void expectColor(const ToneMapping& mapping, const glm::vec3 radiance, const glm::vec3 expected) {
     const glm::vec3 shown = toneMapped(mapping, radiance);
@@ -110,8 +110,8 @@ TEST_P(EveryToneOperator, KeepsGreyGreyAndNeverFalls) {
         }
         last = shown;
     }
-    EXPECT_EQ(toSrgb8(last.g), 255);
-    EXPECT_EQ(toSrgb8(toneMapped(mapping, glm::vec3(0.0f)).g), 0);
+    EXPECT_EQ(toSrgb8(last.g), 255u);
+    EXPECT_EQ(toSrgb8(toneMapped(mapping, glm::vec3(0.0f)).g), 0u);
 }
 
 TEST_P(EveryToneOperator, ShowsEveryColourBetweenBlackAndWhite) {
