@@ -12,12 +12,14 @@ enum class Memory { storage, texel };
 struct Shader {
     std::string_view kernel;
     std::string_view traversal; // empty: the kernel needs none
-    std::string_view structure; // that the traversal walks, or whose triangle records the kernel reads
+    std::string_view
+        structure; // that the traversal walks, or whose triangle records the kernel reads, if any
     Memory memory;
     std::span<const std::uint32_t> spirv;
 };
 
-// Every kernel with every traversal, then the kernels that need none; each for both kinds of memory.
+// Every kernel with every traversal, then the kernels that need none; each for both kinds of memory, those
+// that read no scene for storage alone.
 std::span<const Shader> shaders();
 
 // The names that --traversal takes, the default first.

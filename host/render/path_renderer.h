@@ -3,6 +3,7 @@
 #include "render/scene_buffers.h"
 #include "render/shading_buffers.h"
 #include "shared/film.h"
+#include "shared/path_input.h"
 
 #include <functional>
 #include <string>

@@ -3,6 +3,8 @@
 // neighbours' longer paths, and no state of a path ever leaves the registers.
 #include "lib/shading.glsl"
 #include "shared/film.h"
+#include "shared/path.h"
+#include "shared/path_input.h"
 #include "shared/primary.h"
 
 layout(local_size_x = kTilePixels) in;
@@ -12,9 +14,7 @@ layout(std140, binding = kBindInput) uniform InputBuffer {
     PathSettings settings;
 };
 layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
-// [0]: pixels that want another dispatch. A driver that limits the turns of loops may end an invocation
-// before it has come to push.endSample. [1]: pixels that came no further in this one.
-layout(std430, binding = kBindPathStatus) buffer StatusBuffer { uint status[2]; };
+layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus status; };
 layout(push_constant) uniform PushBlock { PathPush push; };
 
 // The closest triangle that is there for this path, or any.
@@ -58,7 +58,6 @@ void main() {
     }
     const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
     FilmPixel sum = film[index];
-    const uint before = sum.samples;
     PixelSample at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
     Path path = cameraPath(camera, pixel.x, pixel.y, at);
     FirstHit first = missFirst();
@@ -121,9 +120,13 @@ void main() {
         }
     } while (isOn);
 
+    const FilmPixel was = film[index];
+    atomicAdd(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
+    atomicAdd(status.steps, uint(sum.steps - was.steps));
+    atomicAdd(status.tests, uint(sum.tests - was.tests));
     film[index] = sum;
     if (sum.samples < push.endSample) {
-        atomicAdd(status[0], 1u);
-        atomicAdd(status[1], sum.samples == before ? 1u : 0u);
+        atomicAdd(status.unfinished, 1u);
+        atomicAdd(status.stuck, sum.samples == was.samples ? 1u : 0u);
     }
 }

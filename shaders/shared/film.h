@@ -1,27 +1,27 @@
 // What the path tracer collects of a pixel.
 #ifndef METAMARCH_SHARED_FILM_H
 #define METAMARCH_SHARED_FILM_H
-#include "shared/path.h"
+#include "shared/ray.h"
+#include "shared/scene_layout.h"
 
 SHARED_BEGIN
 
-// What is the same for all invocations, one uniform buffer: with four of them in a kernel, lavapipe (Mesa
-// 22.3.6) writes past its stack.
-struct PathInput {
-    Camera camera;
-    PathSettings settings;
+// What the camera sees at the end of its ray, for the pictures beside the beauty.
+struct FirstHit {
+    vec3 albedo;
+    float t;     // kFarthest: nothing
+    vec3 normal; // geometric
+    uint triangleId;
+    vec3 shadingNormal;
+    float depth; // along the view axis
 };
+
+SHARED_FN FirstHit missFirst() {
+    return FirstHit(vec3(0.0f), kFarthest, vec3(0.0f), kNoTriangle, vec3(0.0f), kFarthest);
+}
 
 // A sample beyond this is no light: the squares of samples are to stay finite.
 const float kLargestRadiance = 1.0e15f;
-
-// Pixels are worked on in tiles of kTilePixels (primary.h).
-struct PathPush {
-    uint firstTile;
-    uint tilesPerRow;
-    uint endSample; // each pixel takes its samples up to this one
-    uint bandTile;  // the film on the device starts with this one
-};
 
 // The sums of a pixel's samples in their order, so that they do not depend on how the work is cut.
 struct FilmPixel {
@@ -71,9 +71,11 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     return added;
 }
 
-SHARED_ASSERT_SIZE(PathInput, 208)
-SHARED_ASSERT_OFFSET(PathInput, settings, 128)
-SHARED_ASSERT_SIZE(PathPush, 16)
+// The pixel's colour: the mean of the samples that count.
+SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
+    return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
+}
+
 SHARED_ASSERT_SIZE(FilmPixel, 112)
 SHARED_ASSERT_OFFSET(FilmPixel, albedo, 16)
 SHARED_ASSERT_OFFSET(FilmPixel, normal, 32)

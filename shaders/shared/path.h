@@ -43,16 +43,6 @@ struct ShadowRay {
     vec3 gain;
 };
 
-// What the camera sees at the end of its ray, for the pictures beside the beauty.
-struct FirstHit {
-    vec3 albedo;
-    float t;     // kFarthest: nothing
-    vec3 normal; // geometric
-    uint triangleId;
-    vec3 shadingNormal;
-    float depth; // along the view axis
-};
-
 struct PathStep {
     Path path;
     ShadowRay shadow;
@@ -70,10 +60,6 @@ SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const
     const CameraRay view =
         sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
     return startPath(view.origin, view.dir);
-}
-
-SHARED_FN FirstHit missFirst() {
-    return FirstHit(vec3(0.0f), kFarthest, vec3(0.0f), kNoTriangle, vec3(0.0f), kFarthest);
 }
 
 // The weight of light that the BSDF's direction found with density `own` and light sampling finds with

@@ -1,6 +1,7 @@
 #include "reference/path.h"
 
 #include "reference/trace.h"
+#include "shared/path.h"
 
 #include <tbb/parallel_for.h>
 

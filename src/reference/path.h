@@ -2,7 +2,9 @@
 #pragma once
 #include "accel/acceleration_structure.h"
 #include "scene/shading_scene.h"
+#include "shared/camera.h"
 #include "shared/film.h"
+#include "shared/path_settings.h"
 
 #include <functional>
 #include <vector>

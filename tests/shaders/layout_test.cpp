@@ -7,10 +7,12 @@
 #include "shared/grid_walk.h"
 #include "shared/kd_node.h"
 #include "shared/kd_parent.h"
+#include "shared/path_input.h"
 #include "shared/primary.h"
 #include "shared/ray_query.h"
 #include "shared/rectilinear.h"
 #include "shared/scene_layout.h"
+#include "shared/screen.h"
 #include "shared/shading_layout.h"
 
 #include <fmt/format.h>
@@ -188,10 +190,23 @@ const StructLayout kStructs[] = {
       MEMBER(PathSettings, sunIndex), MEMBER(PathSettings, padding0), MEMBER(PathSettings, padding1),
       MEMBER(PathSettings, padding2)}},
     {"PathInput", sizeof(PathInput), {MEMBER(PathInput, camera), MEMBER(PathInput, settings)}},
+    {"PathStatus",
+     sizeof(PathStatus),
+     {MEMBER(PathStatus, unfinished), MEMBER(PathStatus, stuck), MEMBER(PathStatus, rays),
+      MEMBER(PathStatus, steps), MEMBER(PathStatus, tests)}},
     {"PathPush",
      sizeof(PathPush),
      {MEMBER(PathPush, firstTile), MEMBER(PathPush, tilesPerRow), MEMBER(PathPush, endSample),
       MEMBER(PathPush, bandTile)}},
+    {"ResolvePush",
+     sizeof(ResolvePush),
+     {MEMBER(ResolvePush, firstTile), MEMBER(ResolvePush, tilesPerRow), MEMBER(ResolvePush, width),
+      MEMBER(ResolvePush, height), MEMBER(ResolvePush, toneOperator), MEMBER(ResolvePush, scale)}},
+    {"PresentPush",
+     sizeof(PresentPush),
+     {MEMBER(PresentPush, width), MEMBER(PresentPush, height), MEMBER(PresentPush, firstColumn),
+      MEMBER(PresentPush, endColumn), MEMBER(PresentPush, fineWidth), MEMBER(PresentPush, fineHeight),
+      MEMBER(PresentPush, coarseWidth), MEMBER(PresentPush, coarseHeight), MEMBER(PresentPush, isBlueFirst)}},
     {"FilmPixel",
      sizeof(FilmPixel),
      {MEMBER(FilmPixel, radiance), MEMBER(FilmPixel, samples), MEMBER(FilmPixel, albedo),

@@ -1,0 +1,30 @@
+#include "render/resolver.h"
+
+#include "render/kernel.h"
+#include "shared/primary.h"
+
+namespace metamarch::render {
+
+Resolver::Resolver(const vulkan::Device& device, const vulkan::Buffer& film, const std::uint32_t mostPixels)
+    : pictureBuffer(device, vulkan::BufferUse::storage, std::uint64_t{mostPixels} * sizeof(std::uint32_t),
+                    "picture"),
+      pipeline(makeKernel(
+          device, "resolve",
+          {.storageBindings = {kBindInput, kBindOutput}, .pushConstantSize = sizeof(ResolvePush)})) {
+    pipeline.bind(kBindInput, film);
+    pipeline.bind(kBindOutput, pictureBuffer);
+}
+
+void Resolver::clear(vulkan::Commands& commands, const glm::uvec2 size) {
+    pictureSize = size;
+    commands.fill(pictureBuffer, 0);
+}
+
+void Resolver::resolve(vulkan::Commands& commands, const TileRange tiles,
+                       const ToneMapping& toneMapping) const {
+    commands.dispatch(pipeline, {tiles.count(), 1, 1},
+                      ResolvePush{tiles.first, (pictureSize.x + kTileSide - 1) / kTileSide, pictureSize.x,
+                                  pictureSize.y, toneMapping.toneOperator, exposureScale(toneMapping)});
+}
+
+} // namespace metamarch::render

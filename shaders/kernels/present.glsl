@@ -1,0 +1,27 @@
+// A fine picture over a coarse one at the screen's size, one invocation a pixel of the screen.
+#include "shared/scene_layout.h"
+#include "shared/screen.h"
+
+layout(local_size_x = kScreenTile) in;
+
+layout(std430, binding = kBindInput) readonly buffer FineBuffer { uint fine[]; };
+layout(std430, binding = kBindCoarse) readonly buffer CoarseBuffer { uint coarse[]; };
+layout(std430, binding = kBindOutput) writeonly buffer ScreenBuffer { uint screen[]; };
+layout(push_constant) uniform PushBlock { PresentPush push; };
+
+void main() {
+    const uint x = push.firstColumn + gl_GlobalInvocationID.x;
+    const uint y = gl_GlobalInvocationID.y;
+    if (x >= push.endColumn) {
+        return;
+    }
+    const uint fineX = pixelUnder(x, push.fineWidth, push.width);
+    const uint fineY = pixelUnder(y, push.fineHeight, push.height);
+    uint pixel = fine[fineY * push.fineWidth + fineX];
+    if ((pixel >> 24u) == 0u) {
+        const uint coarseX = pixelUnder(x, push.coarseWidth, push.width);
+        const uint coarseY = pixelUnder(y, push.coarseHeight, push.height);
+        pixel = coarse[coarseY * push.coarseWidth + coarseX];
+    }
+    screen[y * push.width + x] = push.isBlueFirst != 0u ? withBlueFirst(pixel) : pixel;
+}
