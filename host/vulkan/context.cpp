@@ -74,9 +74,16 @@ bool extensionPresent(const vk::raii::Context& loader, const char* name) {
                        });
 }
 
-vk::raii::Instance createInstance(const vk::raii::Context& loader) {
+vk::raii::Instance createInstance(const vk::raii::Context& loader,
+                                  const std::span<const char* const> wantedExtensions) {
     std::vector<const char*> layers;
-    std::vector<const char*> extensions;
+    std::vector<const char*> extensions(wantedExtensions.begin(), wantedExtensions.end());
+    for (const char* const wanted : wantedExtensions) {
+        if (!extensionPresent(loader, wanted)) {
+            throw Error(ExitCode::noDevice,
+                        fmt::format("no Vulkan driver has {}, which a window takes", wanted));
+        }
+    }
     vk::InstanceCreateFlags flags;
     // Without it the loader hides the drivers that translate to another API (MoltenVK).
     if (extensionPresent(loader, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
@@ -127,8 +134,8 @@ std::vector<vk::raii::PhysicalDevice> findPhysicalDevices(const vk::raii::Instan
 
 } // namespace
 
-Context::Context()
-    : loader_(openLoader()), instance_(createInstance(loader_)),
+Context::Context(const std::span<const char* const> instanceExtensions)
+    : loader_(openLoader()), instance_(createInstance(loader_, instanceExtensions)),
       messenger_(validationWanted() ? vk::raii::DebugUtilsMessengerEXT(instance_, messengerInfo()) : nullptr),
       physicalDevices_(findPhysicalDevices(instance_)) {}
 

@@ -1,8 +1,9 @@
-// The Vulkan instance: loader, version, validation. No surface, no window.
+// The Vulkan instance: loader, version, validation. It knows no window: who has one names the extensions.
 #pragma once
 #include <vulkan/vulkan_raii.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace metamarch::vulkan {
@@ -16,10 +17,13 @@ inline constexpr uint32_t kApiVersion = VK_API_VERSION_1_2;
 // validation; each of its warnings and errors goes to stderr as one line and is counted.
 //
 // Throws Error(noDevice), whose line names the package to install, when there is no loader, no driver, no
-// device at all, or when validation is asked for and its layer is missing.
+// device at all, when validation is asked for and its layer is missing, or when the drivers lack one of the
+// `instanceExtensions`, which windows take.
 class Context {
   public:
-    Context();
+    explicit Context(std::span<const char* const> instanceExtensions = {});
+
+    const vk::raii::Instance& instance() const { return instance_; }
 
     // In the order of the loader: the INDEX of --device.
     const std::vector<vk::raii::PhysicalDevice>& physicalDevices() const { return physicalDevices_; }

@@ -12,8 +12,8 @@
 namespace metamarch::vulkan {
 namespace {
 
-DeviceReport chosenReport(const Context& context, const std::string& selection) {
-    std::vector<DeviceReport> reports = reportDevices(context);
+DeviceReport chosenReport(const Context& context, const std::string& selection, const DeviceUse use) {
+    std::vector<DeviceReport> reports = reportDevices(context, use);
     return std::move(reports[chooseDevice(reports, selection)]);
 }
 
@@ -26,6 +26,10 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
         if (std::strcmp(extension.extensionName, kPortabilitySubset) == 0) {
             extensions.push_back(kPortabilitySubset);
         }
+    }
+
+    if (report.use == DeviceUse::window) {
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     }
 
     vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceRayQueryFeaturesKHR,
@@ -55,16 +59,15 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
 
 } // namespace
 
-Device::Device(const Context& context, const std::string& selection)
-    : Device(context, chosenReport(context, selection)) {}
+Device::Device(const Context& context, const std::string& selection, const DeviceUse use)
+    : Device(context, chosenReport(context, selection, use)) {}
 
 Device::Device(const Context& context, DeviceReport report)
-    : report_(std::move(report)),
-      memoryProperties_(context.physicalDevices()[report_.index].getMemoryProperties()),
-      device_(openDevice(context.physicalDevices()[report_.index], report_)),
-      queue_(device_, report_.computeQueueFamily.value(), 0),
+    : report_(std::move(report)), physicalDevice_(&context.physicalDevices()[report_.index]),
+      memoryProperties_(physicalDevice_->getMemoryProperties()),
+      device_(openDevice(*physicalDevice_, report_)), queue_(device_, report_.computeQueueFamily.value(), 0),
       commandPool_(device_,
                    {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, report_.computeQueueFamily.value()}),
-      pipelineCache_(context.physicalDevices()[report_.index], device_) {}
+      pipelineCache_(*physicalDevice_, device_) {}
 
 } // namespace metamarch::vulkan

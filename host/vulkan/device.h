@@ -10,12 +10,13 @@
 namespace metamarch::vulkan {
 
 // Opens the device `selection` names (see chooseDevice; empty: the best one) without any optional feature but
-// ray queries, where it has them.
+// ray queries, where it has them; for a window also VK_KHR_swapchain.
 // Must outlive every Buffer, ComputePipeline and Submission made from it, which point to it: it neither
 // copies nor moves. To be used by one thread at a time. Throws Error(noDevice).
 class Device {
   public:
-    explicit Device(const Context& context, const std::string& selection = "");
+    explicit Device(const Context& context, const std::string& selection = "",
+                    DeviceUse use = DeviceUse::compute);
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
@@ -25,6 +26,7 @@ class Device {
     float timestampPeriod() const { return report_.timestampValidBits == 0 ? 0.0f : report_.timestampPeriod; }
 
     const vk::raii::Device& handle() const { return device_; }
+    const vk::raii::PhysicalDevice& physicalDevice() const { return *physicalDevice_; }
     const vk::raii::Queue& queue() const { return queue_; }
     const vk::raii::CommandPool& commandPool() const { return commandPool_; }
     const vk::raii::PipelineCache& pipelineCache() const { return pipelineCache_.handle(); }
@@ -34,6 +36,7 @@ class Device {
     Device(const Context& context, DeviceReport report);
 
     DeviceReport report_;
+    const vk::raii::PhysicalDevice* physicalDevice_; // the context's
     vk::PhysicalDeviceMemoryProperties memoryProperties_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;

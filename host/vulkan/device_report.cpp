@@ -39,7 +39,8 @@ void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.maxPushConstantsSize = limits.maxPushConstantsSize;
 }
 
-// A family that cannot draw comes first: on GPUs that have one its work runs beside the desktop's.
+// For computing a family that cannot draw comes first: on GPUs that have one its work runs beside the
+// desktop's.
 void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto families = physicalDevice.getQueueFamilyProperties();
     for (uint32_t family = 0; family < families.size(); ++family) {
@@ -48,6 +49,9 @@ void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physic
             continue;
         }
         const bool computeOnly = !(flags & vk::QueueFlagBits::eGraphics);
+        if (report.use == DeviceUse::window && computeOnly) {
+            continue;
+        }
         if (computeOnly || !report.computeQueueFamily) {
             report.computeQueueFamily = family;
             report.timestampValidBits = families[family].timestampValidBits;
@@ -81,14 +85,17 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
 }
 
+bool lists(const std::vector<vk::ExtensionProperties>& extensions, const char* const wanted) {
+    return std::ranges::any_of(extensions, [&](const vk::ExtensionProperties& extension) {
+        return std::strcmp(extension.extensionName, wanted) == 0;
+    });
+}
+
 // Extensions first: only a device that lists them can be asked for their features and properties.
 void addRayQuery(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto extensions = physicalDevice.enumerateDeviceExtensionProperties();
     for (const char* const wanted : kRayQueryExtensions) {
-        const bool listed = std::ranges::any_of(extensions, [&](const vk::ExtensionProperties& extension) {
-            return std::strcmp(extension.extensionName, wanted) == 0;
-        });
-        if (!listed) {
+        if (!lists(extensions, wanted)) {
             report.missingForRayQuery.emplace_back(wanted);
         }
     }
@@ -117,10 +124,11 @@ void addRayQuery(DeviceReport& report, const vk::raii::PhysicalDevice& physicalD
     report.minScratchAlignment = limits.minAccelerationStructureScratchOffsetAlignment;
 }
 
-DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32_t index) {
+DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32_t index, DeviceUse use) {
     const vk::PhysicalDeviceProperties properties = physicalDevice.getProperties();
     DeviceReport report;
     report.index = index;
+    report.use = use;
     report.name = properties.deviceName.data();
     report.apiVersion = properties.apiVersion;
     report.type = typeOf(properties.deviceType);
@@ -131,6 +139,8 @@ DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32
         addVersion12Properties(report, physicalDevice);
     }
     addRayQuery(report, physicalDevice);
+    report.hasSwapchain =
+        lists(physicalDevice.enumerateDeviceExtensionProperties(), VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     report.refusals = refusalsOf(report);
     return report;
 }
@@ -171,7 +181,11 @@ std::vector<std::string> refusalsOf(const DeviceReport& report) {
                                        VK_API_VERSION_MAJOR(kApiVersion), VK_API_VERSION_MINOR(kApiVersion)));
     }
     if (!report.computeQueueFamily) {
-        refusals.push_back("no compute queue");
+        refusals.emplace_back(report.use == DeviceUse::window ? "no queue that computes and draws"
+                                                              : "no compute queue");
+    }
+    if (report.use == DeviceUse::window && !report.hasSwapchain) {
+        refusals.emplace_back("no VK_KHR_swapchain, which a window takes");
     }
     require("maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations, kWorkGroupSize);
     require("maxComputeWorkGroupSize[0]", report.maxComputeWorkGroupSizeX, kWorkGroupSize);
@@ -181,10 +195,10 @@ std::vector<std::string> refusalsOf(const DeviceReport& report) {
     return refusals;
 }
 
-std::vector<DeviceReport> reportDevices(const Context& context) {
+std::vector<DeviceReport> reportDevices(const Context& context, const DeviceUse use) {
     std::vector<DeviceReport> reports;
     for (const vk::raii::PhysicalDevice& physicalDevice : context.physicalDevices()) {
-        reports.push_back(reportDevice(physicalDevice, static_cast<uint32_t>(reports.size())));
+        reports.push_back(reportDevice(physicalDevice, static_cast<uint32_t>(reports.size()), use));
     }
     return reports;
 }

@@ -13,6 +13,9 @@ namespace metamarch::vulkan {
 // The best to run on first.
 enum class DeviceType { discrete, integrated, virtualGpu, cpu, other };
 
+// What a device is to be opened for. A window's device also draws and presents.
+enum class DeviceUse { compute, window };
+
 struct DeviceReport {
     uint32_t index = 0; // in the order of the loader
     std::string name;
@@ -20,8 +23,10 @@ struct DeviceReport {
     std::string driverInfo; // "Mesa 22.3.6 (LLVM 15.0.6)"
     uint32_t apiVersion = 0;
     DeviceType type = DeviceType::other;
+    DeviceUse use = DeviceUse::compute; // that the queue family and the refusals are for
 
-    std::optional<uint32_t> computeQueueFamily;
+    std::optional<uint32_t> computeQueueFamily; // of a window's device it draws, too
+    bool hasSwapchain = false;
     uint32_t timestampValidBits = 0; // of that family; 0: no timestamps, durations are wall-clock
     float timestampPeriod = 0;       // nanoseconds per tick
 
@@ -61,6 +66,6 @@ std::string versionText(uint32_t apiVersion);
 std::vector<std::string> refusalsOf(const DeviceReport& report);
 
 // One report per device of the context, in its order.
-std::vector<DeviceReport> reportDevices(const Context& context);
+std::vector<DeviceReport> reportDevices(const Context& context, DeviceUse use = DeviceUse::compute);
 
 } // namespace metamarch::vulkan

@@ -41,6 +41,16 @@ TEST(DeviceReport, namesEveryReason) {
     EXPECT_EQ(refusalsOf(report), expected);
 }
 
+TEST(DeviceReport, asksMoreOfAWindowsDevice) {
+    DeviceReport report = sufficient();
+    report.use = DeviceUse::window;
+    report.computeQueueFamily.reset();
+    report.hasSwapchain = false;
+    const std::vector<std::string> expected = {"no queue that computes and draws",
+                                               "no VK_KHR_swapchain, which a window takes"};
+    EXPECT_EQ(refusalsOf(report), expected);
+}
+
 // It is no reason to refuse a device: only one traversal wants ray queries.
 TEST(DeviceReport, doesWithoutRayQueries) {
     DeviceReport report = sufficient();
