@@ -1,9 +1,7 @@
 #include "cli/light_options.h"
 
 #include "cli/number_list.h"
-#include "cli/warnings.h"
 #include "error.h"
-#include "scene/sky.h"
 
 #include <fmt/format.h>
 
@@ -55,35 +53,26 @@ void LightOptions::check() const {
     }
 }
 
-Surroundings LightOptions::load(const std::string& scenePath, const bool sceneHasLight) const {
-    Surroundings result;
-    result.rotation = static_cast<float>(std::fmod(rotation, 360.0) * std::numbers::pi / 180.0);
-    result.intensity = static_cast<float>(intensity.value_or(1.0));
+LightChoice LightOptions::parse() const {
+    using Kind = LightChoice::Kind;
+    LightChoice choice;
+    choice.rotation = static_cast<float>(std::fmod(rotation, 360.0) * std::numbers::pi / 180.0);
+    choice.intensity = static_cast<float>(intensity.value_or(1.0));
     if (!background.empty()) {
-        result.background = glm::vec3(parsePoint("--background", background));
+        choice.kind = Kind::background;
+        choice.background = glm::vec3(parsePoint("--background", background));
     } else if (!environment.empty()) {
-        result.environment = loadEnvironment(environment);
-        for (const std::string& warning : result.environment->warnings) {
-            printWarning(warning);
-        }
-    } else if (sky || !sun.empty() || !sceneHasLight) {
-        if (!sky && sun.empty()) {
-            printWarning(fmt::format("{}: no light; it gets the clear sky of --sky", scenePath));
-        }
-        SkySettings settings;
+        choice.kind = Kind::map;
+        choice.map = environment;
+    } else if (sky || !sun.empty()) {
+        choice.kind = Kind::sky;
         if (!sun.empty()) {
             const glm::dvec3 direction = glm::normalize(parsePoint("--sun", sun));
-            settings.sunElevation = static_cast<float>(std::asin(direction.y));
-            settings.sunAzimuth = static_cast<float>(std::atan2(direction.z, direction.x));
-        }
-        Sky made = makeSky(settings);
-        made.sun.strength *= result.intensity;
-        result.environment = std::move(made.environment);
-        if (made.sun.strength != glm::vec3(0.0f)) {
-            result.sun = made.sun;
+            choice.sunElevation = static_cast<float>(std::asin(direction.y));
+            choice.sunAzimuth = static_cast<float>(std::atan2(direction.z, direction.x));
         }
     }
-    return result;
+    return choice;
 }
 
 } // namespace metamarch::cli

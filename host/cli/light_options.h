@@ -1,6 +1,6 @@
 // The options for light that does not come from the scene's file.
 #pragma once
-#include "scene/shading_builder.h"
+#include "scene/light_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,9 +16,7 @@ class LightOptions {
     // Throws Error(badArguments) for values out of range and for options that exclude each other.
     void check() const;
 
-    // Reads the map or makes the sky. `sceneHasLight`: else a scene that is given no light gets the default
-    // sky, with a warning. Throws what loadEnvironment throws.
-    Surroundings load(const std::string& scenePath, bool sceneHasLight) const;
+    LightChoice parse() const;
 
   private:
     std::string environment;

@@ -21,11 +21,12 @@ void PathOptions::addTo(CLI::App& command) {
         ->type_name("N")
         ->capture_default_str()
         ->group(group);
-    command.add_option("--seed", seed, "Another seed draws other samples")
+    command.add_option("--seed", choice.seed, "Another seed draws other samples")
         ->type_name("N")
         ->capture_default_str()
         ->group(group);
-    command.add_option("--max-bounces", maxBounces, "Scattered this often at most; 0: direct light alone")
+    command
+        .add_option("--max-bounces", choice.maxBounces, "Scattered this often at most; 0: direct light alone")
         ->type_name("N")
         ->capture_default_str()
         ->group(group);
@@ -46,24 +47,20 @@ void PathOptions::check() const {
     if (spp < 1 || spp > kMostSamples) {
         refuse(fmt::format("--spp {}: give 1 to {}", spp, kMostSamples));
     }
-    if (maxBounces > kMostBounces) {
-        refuse(fmt::format("--max-bounces {}: give at most {}", maxBounces, kMostBounces));
+    if (choice.maxBounces > kMostBounces) {
+        refuse(fmt::format("--max-bounces {}: give at most {}", choice.maxBounces, kMostBounces));
     }
     if (!(std::isfinite(clamp) && clamp >= 0.0)) {
         refuse(fmt::format("--clamp {}: give a finite luminance of at least 0", clamp));
     }
 }
 
-PathSettings PathOptions::apply(PathSettings settings, const std::string& integrator) const {
-    settings.maxBounces = integrator == "path" ? maxBounces : 0;
-    settings.seed = seed;
-    settings.strategies = kSampleLights | kSampleBsdf;
-    settings.clampLuminance = static_cast<float>(clamp);
-    return settings;
-}
-
-ShadingOptions PathOptions::shading(const std::string& integrator) const {
-    return {.isSingleScatter = brdf == "gltf", .isWhite = integrator == "ao"};
+PathChoice PathOptions::parse(const std::string& integrator) const {
+    PathChoice parsed = choice;
+    parsed.integrator = integrator;
+    parsed.clamp = static_cast<float>(clamp);
+    parsed.isSingleScatter = brdf == "gltf";
+    return parsed;
 }
 
 } // namespace metamarch::cli

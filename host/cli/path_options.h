@@ -1,7 +1,6 @@
 // The options of the path tracer.
 #pragma once
-#include "scene/shading_builder.h"
-#include "shared/path_settings.h"
+#include "scene/path_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +11,8 @@ namespace metamarch::cli {
 
 class PathOptions {
   public:
+    explicit PathOptions(std::uint32_t defaultSamples) : spp(defaultSamples) {}
+
     void addTo(CLI::App& command);
 
     // Throws Error(badArguments) for values out of range.
@@ -19,15 +20,12 @@ class PathOptions {
 
     std::uint32_t samples() const { return spp; }
 
-    // `settings` are the scene's; `integrator` is path, direct or ao.
-    PathSettings apply(PathSettings settings, const std::string& integrator) const;
-
-    ShadingOptions shading(const std::string& integrator) const;
+    // `integrator` is path, direct or ao.
+    PathChoice parse(const std::string& integrator) const;
 
   private:
-    std::uint32_t spp = 64;
-    std::uint32_t seed = 0;
-    std::uint32_t maxBounces = 8;
+    std::uint32_t spp;
+    PathChoice choice;
     double clamp = 0.0;
     std::string brdf = "compensated";
 };

@@ -18,22 +18,19 @@
 #include "image/output_file.h"
 #include "render/scene_buffers.h"
 #include "scene/import.h"
+#include "scene/lit_scene.h"
 #include "scene/view.h"
 #include "shader_library.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 namespace metamarch::cli {
 namespace {
-
-// Every device lets a shader see that much of a buffer.
-constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 
 struct RenderOptions {
     std::string scenePath;
@@ -45,7 +42,7 @@ struct RenderOptions {
     std::string device;
     std::string traversal;
     std::string integrator = "path";
-    PathOptions path;
+    PathOptions path{64};
     LightOptions light;
     SceneOptions scene;
     StructureOptions structure;
@@ -106,29 +103,13 @@ nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure
     return stats;
 }
 
-// What glows by a texture of strength 1 is a lit display, and no lamp to see a scene by.
-bool isLamp(const Material& material) {
-    const bool isPainted = material.emissiveTexture.texture != kNoTexture;
-    return material.emissiveFactor != glm::vec3(0.0f) && (!isPainted || material.emissiveStrength > 1.0f);
-}
-
-bool hasLight(const Scene& scene) {
-    return !scene.lights.empty() || std::ranges::any_of(scene.triangleMaterial, [&](const std::uint32_t id) {
-        return id != kNoMaterial && isLamp(scene.materials[id]);
-    });
-}
-
 Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
-    const bool isOcclusion = options.integrator == "ao";
-    Surroundings surroundings;
-    surroundings.background = glm::vec3(1.0f);
-    if (!isOcclusion) {
-        surroundings = options.light.load(options.scenePath, hasLight(job.scene));
+    const PathChoice path = options.path.parse(options.integrator);
+    const LitScene lit = lightScene(job.scene, options.scenePath, path, options.light.parse());
+    for (const std::string& warning : lit.warnings) {
+        printWarning(warning);
     }
-    const ShadingScene shading =
-        makeShadingScene(job.scene, surroundings, options.path.shading(options.integrator), kTexelChunkBytes);
-    return renderPaths(job, shading, options.path.apply(shading.settings, options.integrator),
-                       options.path.samples());
+    return renderPaths(job, lit.shading, path.applied(lit.shading.settings), options.path.samples());
 }
 
 // The background is part of what a path tracer draws. In a PNG, which knows no light beside its alpha,
