@@ -22,6 +22,11 @@ void ViewOptions::addTo(CLI::App& command) {
     command.add_option("--vfov", verticalFov, "Vertical field of view, of a perspective camera")
         ->type_name("DEG")
         ->group(group);
+    command
+        .add_option("--orthographic", verticalExtent,
+                    "Parallel rays, in a picture this high in world units; with --eye and --target")
+        ->type_name("HEIGHT")
+        ->group(group);
     command.add_option("--aperture", aperture, "Radius of a thin lens, in world units (default: a pinhole)")
         ->type_name("R")
         ->group(group);
@@ -55,6 +60,15 @@ void ViewOptions::check(const std::string& integrator) const {
     if (verticalFov && !(*verticalFov > 0.0 && *verticalFov < 180.0)) {
         refuse(fmt::format("--vfov {}: give degrees between 0 and 180", *verticalFov));
     }
+    if (verticalExtent && !(std::isfinite(*verticalExtent) && *verticalExtent > 0.0)) {
+        refuse(fmt::format("--orthographic {}: give a finite height greater than 0", *verticalExtent));
+    }
+    if (verticalExtent && eye.empty()) {
+        refuse("--orthographic needs --eye and --target");
+    }
+    if (verticalExtent && (verticalFov || isPanorama)) {
+        refuse("--orthographic excludes --vfov and --panorama");
+    }
     if (!(std::isfinite(aperture) && aperture >= 0.0)) {
         refuse(fmt::format("--aperture {}: give a finite radius of at least 0", aperture));
     }
@@ -82,6 +96,10 @@ SceneCamera ViewOptions::choose(const Scene& scene, const glm::uvec2 size) const
     if (!eye.empty()) {
         chosen = lookAt(parsePoint("--eye", eye), parsePoint("--target", target),
                         parsePoint("--up", up.empty() ? "0,1,0" : up));
+        if (verticalExtent) {
+            chosen.projection = SceneCamera::Projection::orthographic;
+            chosen.verticalExtent = static_cast<float>(*verticalExtent);
+        }
     } else if (!camera.empty() || !scene.cameras.empty()) {
         chosen = selectCamera(scene, camera.empty() ? "0" : camera);
     } else {

@@ -30,6 +30,7 @@ class ViewOptions {
     std::string up;
     std::optional<double> verticalFov; // degrees
     std::string filter = "box";
+    std::optional<double> verticalExtent; // world units
     double aperture = 0.0;
     std::optional<double> focusDistance;
     bool isPanorama = false;

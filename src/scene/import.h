@@ -19,6 +19,8 @@ struct ImportOptions {
     std::optional<double> time{};
     std::string animation{};
     bool allowMissingTextures = false; // warn where a texture cannot be read, and go on without it
+
+    bool operator==(const ImportOptions&) const = default;
 };
 
 // Reads glTF 2.0 (.gltf, .glb) through tinygltf and OBJ, PLY, OFF, STL through Assimp; the ending decides.

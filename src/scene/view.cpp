@@ -11,9 +11,6 @@
 namespace metamarch {
 namespace {
 
-// From where an unframed scene is seen: towards +Z, the front in glTF, turned to the right and up.
-constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
-
 // Half the picture's height at distance 1, of a perspective camera.
 float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
 
@@ -66,14 +63,15 @@ SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 
     return camera;
 }
 
-SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const float aspect) {
+SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const float aspect,
+                        const glm::vec3 from, const glm::vec3 upwards) {
     const bool empty = !(bounds.lo.x <= bounds.hi.x);
     const glm::vec3 lo = empty ? glm::vec3(-0.5f) : bounds.lo;
     const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
     const glm::vec3 center = 0.5f * lo + 0.5f * hi;
     const glm::vec3 size = hi - lo;
     // The direction is found at the world's origin: a small box far away would round it.
-    SceneCamera camera = lookAt(kFramingDirection, glm::vec3(0.0f), {0.0f, 1.0f, 0.0f});
+    SceneCamera camera = lookAt(from, glm::vec3(0.0f), upwards);
     camera.name = "framed";
     camera.verticalFov = verticalFov;
 

@@ -20,9 +20,13 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
 // view.
 SceneCamera lookAt(glm::vec3 eye, glm::vec3 target, glm::vec3 up);
 
-// Sees the whole of `bounds` from the front, a little from the right and above, in a picture of `aspect`
-// (width / height). An empty box is looked at as if it were the unit cube.
-SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect);
+// From where an unframed scene is seen: towards +Z, the front in glTF, turned to the right and up.
+inline constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
+
+// Sees the whole of `bounds` in a picture of `aspect` (width / height), looking from the side of `from`, a
+// direction. An empty box is looked at as if it were the unit cube. Throws as lookAt.
+SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect,
+                        glm::vec3 from = kFramingDirection, glm::vec3 up = {0.0f, 1.0f, 0.0f});
 
 // What a picture asks of its camera beyond the scene's. The default is a pinhole whose samples fill their
 // pixel evenly.
