@@ -243,7 +243,9 @@ vulkan::ComputePipeline SceneBuffers::makePipeline(const vulkan::Device& device,
     const TriangleBuffers& records = triangles.at(structure.triangles(*set).data());
 
     own.name = traversal.empty() ? kernel : kernel + "." + traversal;
-    own.spirv = shader.spirv;
+    if (own.spirv.empty()) {
+        own.spirv = shader.spirv;
+    }
     own.uniformBindings.push_back(kBindLattice);
     own.storageBindings.push_back(kBindMaterialOfTriangle);
     own.storageBindings.push_back(kBindMaterials);

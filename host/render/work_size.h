@@ -17,13 +17,14 @@ class WorkSize {
 
     std::uint32_t units() const { return size; }
 
-    // Takes what the submission of units() took, and returns it where it counts as tracing: the first
-    // submission also compiles the kernel on some drivers, so it holds one unit and says nothing.
-    double finished(const double seconds) {
+    // Takes what the submission of units() took and what the next one is to take, and returns the former
+    // where it counts as tracing: the first submission also compiles the kernel on some drivers, so it holds
+    // one unit and says nothing.
+    double finished(const double seconds, const double targetSeconds = kTargetSeconds) {
         if (!std::exchange(warm, true)) {
             return 0.0;
         }
-        const double wanted = size * kTargetSeconds / std::max(seconds, 1e-6);
+        const double wanted = size * targetSeconds / std::max(seconds, 1e-6);
         size = static_cast<std::uint32_t>(
             std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
         return seconds;
