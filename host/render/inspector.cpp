@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace metamarch::render {
 namespace {
@@ -17,33 +18,43 @@ constexpr std::uint32_t kMostTiles = 65535; // the least that maxComputeWorkGrou
 
 Inspector::Inspector(const vulkan::Device& usedDevice, const SceneBuffers& usedScene,
                      const ShadingBuffers& usedShading, const std::string& usedTraversal,
-                     const std::uint32_t roomForPixels, const std::span<const std::uint32_t> spirv,
-                     const std::span<const std::uint32_t> cellsSpirv)
+                     const std::uint32_t roomForPixels, const std::span<const std::uint32_t> ownSpirv,
+                     const std::span<const std::uint32_t> ownCellsSpirv)
     : device(usedDevice), scene(usedScene), shading(usedShading), traversal(usedTraversal),
       mostPixels(roomForPixels), camera(usedDevice, vulkan::BufferUse::storage, sizeof(Camera), "camera"),
       pixels(usedDevice, vulkan::BufferUse::storage, std::uint64_t{roomForPixels} * sizeof(std::uint32_t),
              "picture"),
-      submission(usedDevice), inspect{{spirv.begin(), spirv.end()}, {}, WorkSize(kMostTiles)},
-      cells{{cellsSpirv.begin(), cellsSpirv.end()}, {}, WorkSize(kMostTiles)} {
+      submission(usedDevice), spirv(ownSpirv.begin(), ownSpirv.end()),
+      cellsSpirv(ownCellsSpirv.begin(), ownCellsSpirv.end()) {
     submission.run([&](vulkan::Commands& commands) { commands.fill(pixels, kMissColor); });
 }
 
-vulkan::ComputePipeline Inspector::makePipeline(const bool isCells) const {
-    vulkan::KernelInfo own{.spirv = isCells ? cells.spirv : inspect.spirv,
+Inspector::Reads Inspector::readsOf(const std::uint32_t view) {
+    return view >= kFirstCellsView                              ? Reads::cells
+           : view == kViewAlbedo || view == kViewShadingNormals ? Reads::materials
+                                                                : Reads::hits;
+}
+
+vulkan::ComputePipeline Inspector::makePipeline(const Reads reads) const {
+    vulkan::KernelInfo own{.spirv = reads == Reads::cells ? cellsSpirv : spirv,
                            .storageBindings = {kBindOutput},
                            .uniformBindings = {kBindCamera},
                            .pushConstantSize = sizeof(InspectPush)};
-    if (!isCells) {
-        shading.addTo(own);
+    const auto bound = [&](vulkan::ComputePipeline pipeline) {
+        pipeline.bind(kBindCamera, camera);
+        pipeline.bind(kBindOutput, pixels);
+        return pipeline;
+    };
+    if (reads == Reads::cells) {
+        return bound(scene.makePipeline(device, "cells", "", own));
     }
-    vulkan::ComputePipeline pipeline =
-        scene.makePipeline(device, isCells ? "cells" : "inspect", isCells ? "" : traversal, own);
-    if (!isCells) {
-        shading.bindTo(pipeline);
+    shading.addTo(own);
+    if (reads == Reads::hits) {
+        own.specialization[kSpecFeatures] = 0;
     }
-    pipeline.bind(kBindCamera, camera);
-    pipeline.bind(kBindOutput, pixels);
-    return pipeline;
+    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "inspect", traversal, own);
+    shading.bindTo(pipeline);
+    return bound(std::move(pipeline));
 }
 
 void Inspector::start(const Camera& newCamera, const std::uint32_t newView, const float newScaleMax) {
@@ -56,13 +67,13 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
         throw std::invalid_argument(
             fmt::format("Inspector: view {} with scale {} is none", newView, newScaleMax));
     }
-    const bool isCells = newView >= kFirstCellsView;
-    Kernel& wanted = isCells ? cells : inspect;
-    if (!wanted.pipeline) {
-        wanted.pipeline = makePipeline(isCells);
+    const Reads reads = readsOf(newView);
+    auto made = programs.find(reads);
+    if (made == programs.end()) {
+        made = programs.emplace(reads, Program{makePipeline(reads), WorkSize(kMostTiles)}).first;
     }
     vulkan::write(device, camera, 0, std::as_bytes(std::span(&newCamera, 1)));
-    kernel = &wanted;
+    program = &made->second;
     pixelCount = static_cast<std::uint32_t>(count);
     tilesPerRow = (newCamera.width + kTileSide - 1) / kTileSide;
     tileCount = tilesPerRow * ((newCamera.height + kTileSide - 1) / kTileSide);
@@ -76,12 +87,12 @@ bool Inspector::advance(const double targetSeconds) {
     if (isWhole()) {
         return true;
     }
-    const std::uint32_t count = std::min(kernel->work.units(), tileCount - nextTile);
+    const std::uint32_t count = std::min(program->work.units(), tileCount - nextTile);
     const InspectPush push{nextTile, tilesPerRow, view, scaleMax};
     const double spent = submission.run([&](vulkan::Commands& commands) {
-        commands.dispatch(*kernel->pipeline, {count, 1, 1}, push);
+        commands.dispatch(program->pipeline, {count, 1, 1}, push);
     });
-    seconds += kernel->work.finished(spent, targetSeconds);
+    seconds += program->work.finished(spent, targetSeconds);
     nextTile += count;
     return isWhole();
 }

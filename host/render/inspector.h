@@ -8,7 +8,7 @@
 #include "vulkan/submission.h"
 
 #include <cstdint>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,10 +26,11 @@ class Inspector {
               const std::string& traversal, std::uint32_t mostPixels,
               std::span<const std::uint32_t> spirv = {}, std::span<const std::uint32_t> cellsSpirv = {});
 
-    // A new picture: `view` is one of kView…, `scaleMax` as they say, positive. Makes the view's pipeline
-    // where it is the first of its kernel; submits no more than the camera. Until the picture is whole, the
-    // pixels still to come are those of the picture before. Throws std::invalid_argument for a picture
-    // without pixels or with more than mostPixels, a number that is no view, or a scale that is not positive.
+    // A new picture: `view` is one of kView…, `scaleMax` as they say, positive. Makes the view's pipeline,
+    // which it may share with others, at first need; submits no more than the camera. Until the picture is
+    // whole, the pixels still to come are those of the picture before. Throws std::invalid_argument for a
+    // picture without pixels or with more than mostPixels, a number that is no view, or a scale that is not
+    // positive.
     void start(const Camera& camera, std::uint32_t view, float scaleMax);
 
     // One submission of about `targetSeconds` at most; true once the picture is whole, and nothing is
@@ -38,7 +39,7 @@ class Inspector {
 
     bool isWhole() const { return nextTile == tileCount; }
 
-    // What this picture took so far, without a kernel's first submission, which may compile.
+    // What this picture took so far, without a pipeline's first submission, which may compile.
     double deviceSeconds() const { return seconds; }
 
     // Pixels as packedPixel makes them, in rows: y * width + x. Larger where the picture is smaller than
@@ -48,13 +49,17 @@ class Inspector {
     std::vector<std::uint32_t> download() const; // the picture, and no more
 
   private:
-    struct Kernel {
-        std::vector<std::uint32_t> spirv; // in place of the embedded one; empty: none
-        std::optional<vulkan::ComputePipeline> pipeline;
+    // What the view's kernel reads. Drivers that run both sides of a branch would look textures up for the
+    // views that want none.
+    enum class Reads { hits, materials, cells };
+
+    struct Program {
+        vulkan::ComputePipeline pipeline;
         WorkSize work;
     };
 
-    vulkan::ComputePipeline makePipeline(bool isCells) const;
+    static Reads readsOf(std::uint32_t view);
+    vulkan::ComputePipeline makePipeline(Reads reads) const;
 
     const vulkan::Device& device;
     const SceneBuffers& scene;
@@ -64,11 +69,12 @@ class Inspector {
     vulkan::Buffer camera;
     vulkan::Buffer pixels;
     vulkan::Submission submission;
-    Kernel inspect;
-    Kernel cells;
+    std::vector<std::uint32_t> spirv; // in place of the embedded shaders; empty: none
+    std::vector<std::uint32_t> cellsSpirv;
+    std::map<Reads, Program> programs; // made so far
 
     // Of the picture.
-    Kernel* kernel = nullptr;
+    Program* program = nullptr;
     std::uint32_t pixelCount = 0;
     std::uint32_t tilesPerRow = 0;
     std::uint32_t tileCount = 0;

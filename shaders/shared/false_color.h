@@ -65,5 +65,10 @@ SHARED_FN vec3 idColor(const uint id) {
     return max(oklabColor(lightness, chroma * hue.x, chroma * hue.y), vec3(0.0f));
 }
 
+// The same as a lamp at the eye shows it: enough to see the shape.
+SHARED_FN vec3 shadedColor(const vec3 color, const float cosine) {
+    return color * (0.3f + 0.7f * abs(cosine));
+}
+
 SHARED_END
 #endif

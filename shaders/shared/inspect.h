@@ -1,7 +1,6 @@
 // The views of surfaces and of the work that a ray took: from what is known of a camera ray to a pixel.
 #ifndef METAMARCH_SHARED_INSPECT_H
 #define METAMARCH_SHARED_INSPECT_H
-#include "shared/camera.h"
 #include "shared/false_color.h"
 #include "shared/hit_point.h"
 #include "shared/inspect_view.h"
@@ -9,19 +8,7 @@
 
 SHARED_BEGIN
 
-// What a trace of a camera ray found.
-struct Inspected {
-    CameraRay view;
-    Ray ray; // made of it
-    Hit hit;
-    uint steps; // kCutShort: the trace is not finished
-    uint tests;
-};
-
-// Colours of ids, linear, as a lamp at the eye shows them: enough to see the shape.
-SHARED_FN vec3 shadedColor(const vec3 color, const float cosine) {
-    return color * (0.3f + 0.7f * abs(cosine));
-}
+const float kDepthBands = 32.0f; // from the eye to where it is black
 
 // Texture coordinates of the first set, also where no texture wants them.
 SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weights) {
@@ -40,8 +27,11 @@ SHARED_FN vec3 uvColor(const vec2 uv) {
     return vec3(part.x * light, part.y * light, 0.25f * light);
 }
 
-// From white near the eye to black.
-SHARED_FN vec3 depthColor(const float part) { return vec3(0.96f * (1.0f - part)); }
+// From white near the eye to black, in bands whose edges run like the contours of a map.
+SHARED_FN vec3 depthColor(const float part) {
+    const float bands = part * kDepthBands;
+    return vec3((1.0f - part) * (1.0f - 0.2f * (bands - floor(bands))));
+}
 
 // `triangle` is the one that was hit; of a miss it is not looked at.
 SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Camera camera,

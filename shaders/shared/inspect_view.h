@@ -1,7 +1,8 @@
 // The views that make the algorithm visible, and what their kernels, `inspect` and `cells`, have in common.
 #ifndef METAMARCH_SHARED_INSPECT_VIEW_H
 #define METAMARCH_SHARED_INSPECT_VIEW_H
-#include "shared/interop.h"
+#include "shared/camera.h"
+#include "shared/triangle.h"
 
 SHARED_BEGIN
 
@@ -32,6 +33,15 @@ struct InspectPush {
 // Pixels, packed as packedPixel does.
 const uint kMissColor = 0xff2b2725u;       // the ray met nothing
 const uint kUnfinishedColor = 0xffff00ffu; // the driver ended the trace: there is no result
+
+// What a trace of a camera ray found.
+struct Inspected {
+    CameraRay view;
+    Ray ray; // made of it
+    Hit hit;
+    uint steps; // kCutShort: the trace is not finished
+    uint tests;
+};
 
 SHARED_ASSERT_SIZE(InspectPush, 16)
 SHARED_ASSERT_OFFSET(InspectPush, view, 8)
