@@ -55,10 +55,14 @@ class SceneBuffers {
     // The pipeline of `kernel` with `traversal`, empty where the kernel needs none, specialized for this
     // scene and with its buffers bound. `own` holds what the kernel has besides the scene: bindings, which
     // the caller binds, push constants and specialization constants; its texelBindings are those that the
-    // shader declares by lib/memory.glsl, whatever memory that is. Throws as the constructor does. Not from
-    // two threads at a time.
+    // shader declares by lib/memory.glsl, whatever memory that is. Its spirv, where there is some, takes the
+    // place of the embedded shader: it must be built for memoryKind(). Throws as the constructor does. Not
+    // from two threads at a time.
     vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const std::string& kernel,
                                          const std::string& traversal, vulkan::KernelInfo own) const;
+
+    // Which build of a shader its pipelines take.
+    Memory memoryKind() const { return memory; }
 
     std::uint64_t bytes() const; // on the device so far
 

@@ -71,6 +71,11 @@ SHARED_FN CameraRay cameraRayThrough(const Camera camera, const vec2 place, cons
     return CameraRay(origin + onLens, unitVector(dir - onLens * camera.inverseFocus));
 }
 
+// The ray through the centre of pixel (x, y), from the centre of the lens.
+SHARED_FN CameraRay centerRay(const Camera camera, const uint x, const uint y) {
+    return cameraRayThrough(camera, vec2(float(x) + 0.5f, float(y) + 0.5f), vec2(0.0f));
+}
+
 // F. J. Harris, "On the Use of Windows for Harmonic Analysis with the Discrete Fourier Transform", 1978: the
 // window of four terms and -92 dB, divided by the first. Cycles filters with it, 3 pixels wide.
 const float kBlackmanHarrisWidth = 3.0f; // pixels

@@ -46,11 +46,16 @@ SHARED_FN float coverage(SCENE_PARAMETER const MaterialRecord material, const Su
     return coverageOf(material, alpha);
 }
 
+SHARED_FN vec3 baseColorOf(SCENE_PARAMETER const MaterialRecord record, const vec4 color,
+                           const TexturePoint at) {
+    return record.baseColor * xyz(color) * xyz(lookUp(SCENE record.baseColorTexture, at));
+}
+
 // The material with every texture looked up.
 SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord record, const vec4 color,
                                           const TexturePoint at, const float ior) {
     SurfaceMaterial material;
-    material.baseColor = record.baseColor * xyz(color) * xyz(lookUp(SCENE record.baseColorTexture, at));
+    material.baseColor = baseColorOf(SCENE record, color, at);
     const vec4 metallicRoughness = lookUp(SCENE record.metallicRoughnessTexture, at);
     material.metallic = record.metallic * metallicRoughness.z;
     material.roughness = record.roughness * metallicRoughness.y;

@@ -35,7 +35,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         do {
             if (leaf.triangleCount == 0u) {
                 ++trace.steps;
-                leaf = loadLeaf(LOAD1(leafOfCell, cellIndex(next.cell, lattice.resolution)));
+                leaf = loadLeaf(leafAt(next.cell));
                 next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), next.cell);
             }
         } while (leaf.triangleCount == 0u && next.t < trace.hit.t &&

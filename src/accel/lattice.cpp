@@ -195,6 +195,14 @@ glm::dvec3 toLattice(const Lattice& lattice, const glm::vec3 position) {
     return (glm::dvec3(position) - glm::dvec3(lattice.origin)) * glm::dvec3(lattice.cellsPerUnit);
 }
 
+glm::dvec3 toWorld(const Lattice& lattice, const glm::dvec3 position) {
+    return glm::dvec3(lattice.origin) + position / glm::dvec3(lattice.cellsPerUnit);
+}
+
+Bounds worldBox(const Lattice& lattice, const CellBox& box) {
+    return {glm::vec3(toWorld(lattice, glm::dvec3(box.lo))), glm::vec3(toWorld(lattice, glm::dvec3(box.hi)))};
+}
+
 glm::dvec3 referenceMargin(const Lattice& lattice) {
     return kReferenceMargin * static_cast<double>(lattice.extent) * glm::dvec3(lattice.cellsPerUnit);
 }

@@ -1,5 +1,6 @@
 // The uniform lattice that every split plane and every table cell lies on.
 #pragma once
+#include "accel/cell_box.h"
 #include "accel/options.h"
 #include "scene/scene.h"
 #include "shared/scene_layout.h"
@@ -47,6 +48,13 @@ void refuseOverBudget(const glm::dvec3& counts, const std::string& hint);
 
 // World to lattice space, in double precision: exactly the map that the shaders round.
 glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);
+
+// And back, by the same map.
+glm::dvec3 toWorld(const Lattice& lattice, glm::dvec3 position);
+
+// A box of cells in world space, rounded to single precision: what it looks like, not what the march computes
+// with.
+Bounds worldBox(const Lattice& lattice, const CellBox& box);
 
 // kReferenceMargin in cells.
 glm::dvec3 referenceMargin(const Lattice& lattice);

@@ -181,5 +181,26 @@ TEST(LatticeRefusal, sceneOutsideSinglePrecision) {
     EXPECT_NO_THROW(makeLattice(boxFromOrigin(glm::vec3(1e10f)), kTriangles, {}));
 }
 
+TEST(Lattice, mapsItsCellsBackToTheWorld) {
+    const Bounds bounds{{-3.0f, 10.0f, 0.25f}, {5.0f, 11.0f, 0.75f}};
+    const Lattice lattice = makeLattice(bounds, kTriangles, withCells(5000)).lattice;
+    for (const glm::vec3 position : {bounds.lo, bounds.hi, glm::vec3(1.0f, 10.5f, 0.3f)}) {
+        const glm::dvec3 there = toWorld(lattice, toLattice(lattice, position));
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(there[axis], position[axis], 1e-12);
+        }
+    }
+    const glm::ivec3 resolution(lattice.resolution);
+    const Bounds whole = worldBox(lattice, {glm::ivec3(0), resolution});
+    const Bounds cell = worldBox(lattice, {resolution - 1, resolution});
+    EXPECT_EQ(whole.lo, lattice.origin);
+    EXPECT_EQ(cell.hi, whole.hi);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_LT(whole.lo[axis], bounds.lo[axis]);
+        EXPECT_GT(whole.hi[axis], bounds.hi[axis]);
+        EXPECT_NEAR(cell.hi[axis] - cell.lo[axis], 1.0f / lattice.cellsPerUnit[axis], 2e-6f);
+    }
+}
+
 } // namespace
 } // namespace metamarch::tests

@@ -72,5 +72,16 @@ TEST(WorkSize, settlesWhereASubmissionTakesTheTarget) {
     EXPECT_NEAR(work.units() * kSecondsPerUnit, WorkSize::kTargetSeconds, kSecondsPerUnit);
 }
 
+TEST(WorkSize, settlesWhereASubmissionTakesAnotherTarget) {
+    constexpr double kSecondsPerUnit = 0.1e-3;
+    WorkSize work = warmWork(kMost);
+    for (const double target : {0.02, 0.005, 0.08}) {
+        for (int i = 0; i < 10; ++i) {
+            work.finished(work.units() * kSecondsPerUnit, target);
+        }
+        EXPECT_NEAR(work.units() * kSecondsPerUnit, target, kSecondsPerUnit);
+    }
+}
+
 } // namespace
 } // namespace metamarch::render

@@ -5,6 +5,7 @@
 #include "shared/camera.h"
 #include "shared/film.h"
 #include "shared/grid_walk.h"
+#include "shared/inspect_view.h"
 #include "shared/kd_node.h"
 #include "shared/kd_parent.h"
 #include "shared/path_input.h"
@@ -96,6 +97,10 @@ const StructLayout kStructs[] = {
       MEMBER(PrimaryPixel, depth), MEMBER(PrimaryPixel, t), MEMBER(PrimaryPixel, triangleId),
       MEMBER(PrimaryPixel, steps), MEMBER(PrimaryPixel, tests)}},
     {"PrimaryPush", sizeof(PrimaryPush), {MEMBER(PrimaryPush, firstTile), MEMBER(PrimaryPush, tilesPerRow)}},
+    {"InspectPush",
+     sizeof(InspectPush),
+     {MEMBER(InspectPush, firstTile), MEMBER(InspectPush, tilesPerRow), MEMBER(InspectPush, view),
+      MEMBER(InspectPush, scaleMax)}},
     {"RayQuery",
      sizeof(RayQuery),
      {MEMBER(RayQuery, origin), MEMBER(RayQuery, tMin), MEMBER(RayQuery, dir), MEMBER(RayQuery, tMax)}},

@@ -1,0 +1,106 @@
+#include "render/inspector.h"
+
+#include "shared/primary.h"
+#include "vulkan/transfer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace metamarch::render {
+namespace {
+
+constexpr std::uint32_t kMostTiles = 65535; // the least that maxComputeWorkGroupCount can be
+
+} // namespace
+
+Inspector::Inspector(const vulkan::Device& usedDevice, const SceneBuffers& usedScene,
+                     const ShadingBuffers& usedShading, const std::string& usedTraversal,
+                     const std::uint32_t roomForPixels, const std::span<const std::uint32_t> ownSpirv,
+                     const std::span<const std::uint32_t> ownCellsSpirv)
+    : device(usedDevice), scene(usedScene), shading(usedShading), traversal(usedTraversal),
+      mostPixels(roomForPixels), camera(usedDevice, vulkan::BufferUse::storage, sizeof(Camera), "camera"),
+      pixels(usedDevice, vulkan::BufferUse::storage, std::uint64_t{roomForPixels} * sizeof(std::uint32_t),
+             "picture"),
+      submission(usedDevice), spirv(ownSpirv.begin(), ownSpirv.end()),
+      cellsSpirv(ownCellsSpirv.begin(), ownCellsSpirv.end()) {
+    submission.run([&](vulkan::Commands& commands) { commands.fill(pixels, kMissColor); });
+}
+
+Inspector::Reads Inspector::readsOf(const std::uint32_t view) {
+    return view >= kFirstCellsView                              ? Reads::cells
+           : view == kViewAlbedo || view == kViewShadingNormals ? Reads::materials
+                                                                : Reads::hits;
+}
+
+vulkan::ComputePipeline Inspector::makePipeline(const Reads reads) const {
+    vulkan::KernelInfo own{.spirv = reads == Reads::cells ? cellsSpirv : spirv,
+                           .storageBindings = {kBindOutput},
+                           .uniformBindings = {kBindCamera},
+                           .pushConstantSize = sizeof(InspectPush)};
+    const auto bound = [&](vulkan::ComputePipeline pipeline) {
+        pipeline.bind(kBindCamera, camera);
+        pipeline.bind(kBindOutput, pixels);
+        return pipeline;
+    };
+    if (reads == Reads::cells) {
+        return bound(scene.makePipeline(device, "cells", "", own));
+    }
+    shading.addTo(own);
+    if (reads == Reads::hits) {
+        own.specialization[kSpecFeatures] = 0;
+    }
+    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "inspect", traversal, own);
+    shading.bindTo(pipeline);
+    return bound(std::move(pipeline));
+}
+
+void Inspector::start(const Camera& newCamera, const std::uint32_t newView, const float newScaleMax) {
+    const std::uint64_t count = std::uint64_t{newCamera.width} * newCamera.height;
+    if (count == 0 || count > mostPixels) {
+        throw std::invalid_argument(fmt::format("Inspector: a picture of {} x {} pixels, with room for {}",
+                                                newCamera.width, newCamera.height, mostPixels));
+    }
+    if (newView >= kInspectViews || !(newScaleMax > 0.0f)) {
+        throw std::invalid_argument(
+            fmt::format("Inspector: view {} with scale {} is none", newView, newScaleMax));
+    }
+    const Reads reads = readsOf(newView);
+    auto made = programs.find(reads);
+    if (made == programs.end()) {
+        made = programs.emplace(reads, Program{makePipeline(reads), WorkSize(kMostTiles)}).first;
+    }
+    vulkan::write(device, camera, 0, std::as_bytes(std::span(&newCamera, 1)));
+    program = &made->second;
+    pixelCount = static_cast<std::uint32_t>(count);
+    tilesPerRow = (newCamera.width + kTileSide - 1) / kTileSide;
+    tileCount = tilesPerRow * ((newCamera.height + kTileSide - 1) / kTileSide);
+    nextTile = 0;
+    view = newView;
+    scaleMax = newScaleMax;
+    seconds = 0.0;
+}
+
+bool Inspector::advance(const double targetSeconds) {
+    if (isWhole()) {
+        return true;
+    }
+    const std::uint32_t count = std::min(program->work.units(), tileCount - nextTile);
+    const InspectPush push{nextTile, tilesPerRow, view, scaleMax};
+    const double spent = submission.run([&](vulkan::Commands& commands) {
+        commands.dispatch(program->pipeline, {count, 1, 1}, push);
+    });
+    seconds += program->work.finished(spent, targetSeconds);
+    nextTile += count;
+    return isWhole();
+}
+
+std::vector<std::uint32_t> Inspector::download() const {
+    std::vector<std::uint32_t> picture(pixelCount);
+    vulkan::read(device, pixels, 0, std::as_writable_bytes(std::span(picture)));
+    return picture;
+}
+
+} // namespace metamarch::render

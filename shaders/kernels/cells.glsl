@@ -1,0 +1,36 @@
+// One invocation a pixel: the ray through its centre, and what the meta table holds where it hits. Only the
+// table knows that, so this kernel has its march whatever traversal draws the other views.
+#include "lib/picture.glsl"
+#include "shared/cells.h"
+#include "traversal/meta_table.glsl"
+
+layout(local_size_x = kTilePixels) in;
+
+uint leafBeside(const ivec3 cell) { return isInLattice(cell, lattice.resolution) ? leafAt(cell) : kNoLeaf; }
+
+CellFacts loadCellFacts(const CellPlace place) {
+    const uint leafId = leafAt(place.cell);
+    const uvec3 beside = uvec3(leafBeside(place.cell + ivec3(place.side.x, 0, 0)),
+                               leafBeside(place.cell + ivec3(0, place.side.y, 0)),
+                               leafBeside(place.cell + ivec3(0, 0, place.side.z)));
+    return CellFacts(place, leafId, beside, loadLeaf(leafId));
+}
+
+void main() {
+    const uvec2 pixel = pixelOfTile();
+    if (!isInPicture(pixel)) {
+        return;
+    }
+    const CameraRay view = centerRay(camera, pixel.x, pixel.y);
+    const Ray ray = makeRay(lattice, view.origin, 0.0, view.dir, kFarthest);
+    Trace trace = startTrace(ray);
+    traverse(ray, false, trace);
+
+    TriangleRecord triangle = noTriangle();
+    CellFacts facts = noCellFacts();
+    if (trace.hit.triangleId != kNoTriangle) {
+        triangle = loadTriangle(trace.slot);
+        facts = loadCellFacts(cellPlace(ray, trace.hit.t, lattice.resolution));
+    }
+    setPixel(pixel, cellsPixel(push, camera, pixel, lattice, inspected(view, ray, trace), triangle, facts));
+}

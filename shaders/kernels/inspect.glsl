@@ -1,0 +1,23 @@
+// One invocation a pixel: the ray through its centre, the closest hit, and the colour of one view of them.
+#include "lib/picture.glsl"
+#include "lib/shading.glsl"
+#include "shared/inspect.h"
+
+layout(local_size_x = kTilePixels) in;
+
+void main() {
+    const uvec2 pixel = pixelOfTile();
+    if (!isInPicture(pixel)) {
+        return;
+    }
+    const CameraRay view = centerRay(camera, pixel.x, pixel.y);
+    const Ray ray = makeRay(lattice, view.origin, 0.0, view.dir, kFarthest);
+    Trace trace = startTrace(ray);
+    traverse(ray, false, trace);
+
+    TriangleRecord triangle = noTriangle();
+    if (trace.hit.triangleId != kNoTriangle) {
+        triangle = loadTriangle(trace.slot);
+    }
+    setPixel(pixel, inspectedPixel(push, camera, inspected(view, ray, trace), triangle));
+}

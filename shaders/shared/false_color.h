@@ -1,0 +1,74 @@
+// Colours for numbers that are none, and pixels as a screen shows them.
+#ifndef METAMARCH_SHARED_FALSE_COLOR_H
+#define METAMARCH_SHARED_FALSE_COLOR_H
+#include "shared/math.h"
+#include "shared/sobol.h"
+
+SHARED_BEGIN
+
+SHARED_FN uint packedPart(const float x) {
+    const float part = x > 0.0f ? min(x, 1.0f) : 0.0f; // 0 for NaN, too
+    return uint(part * 255.0f + 0.5f);
+}
+
+// The pixel of a colour as a screen shows it, sRGB-coded: 8 bits a channel, red in the lowest, opaque.
+SHARED_FN uint packedPixel(const vec3 coded) {
+    return packedPart(coded.x) | (packedPart(coded.y) << 8u) | (packedPart(coded.z) << 16u) | 0xff000000u;
+}
+
+// IEC 61966-2-1.
+SHARED_FN float srgbCoded(const float linear) {
+    const float low = 12.92f * linear;
+    const float high = 1.055f * power(max(linear, 0.0031308f), 0.416666667f) - 0.055f;
+    return linear > 0.0031308f ? high : low;
+}
+
+SHARED_FN uint packedLinear(const vec3 linear) {
+    const vec3 color = min(linear, vec3(1.0f));
+    return packedPixel(vec3(srgbCoded(color.x), srgbCoded(color.y), srgbCoded(color.z)));
+}
+
+// How hot a part of the hottest is, sRGB-coded: from black over violet and orange to pale yellow, in the
+// order of lightness. S. van der Walt, N. Smith, the colour map `inferno` of Matplotlib, 2015, by the
+// polynomials that M. Zucker fitted to it (CC0).
+SHARED_FN vec3 heatColor(const float part) {
+    const float t = part > 0.0f ? min(part, 1.0f) : 0.0f;
+    const vec3 t6 = vec3(25.13112622f, -12.24266895f, -23.070325f) * t;
+    const vec3 t5 = (vec3(-71.31942824f, 32.62606426f, 73.20951986f) + t6) * t;
+    const vec3 t4 = (vec3(77.16293570f, -33.40235894f, -81.80730926f) + t5) * t;
+    const vec3 t3 = (vec3(-41.70399613f, 17.43639888f, 44.3541452f) + t4) * t;
+    const vec3 t2 = (vec3(11.60249308f, -3.972853966f, -15.9423941f) + t3) * t;
+    const vec3 t1 = (vec3(0.1065134195f, 0.5639564368f, 3.932712388f) + t2) * t;
+    return vec3(0.0002189403692f, 0.001651004631f, -0.01948089844f) + t1;
+}
+
+// B. Ottosson, "A perceptual color space for image processing" (Oklab), 2020. Linear, may leave [0, 1].
+SHARED_FN vec3 oklabColor(const float lightness, const float a, const float b) {
+    const float l = lightness + 0.3963377774f * a + 0.2158037573f * b;
+    const float m = lightness - 0.1055613458f * a - 0.0638541728f * b;
+    const float s = lightness - 0.0894841775f * a - 1.2914855480f * b;
+    const float l3 = l * l * l;
+    const float m3 = m * m * m;
+    const float s3 = s * s * s;
+    return vec3(4.0767416621f * l3 - 3.3077115913f * m3 + 0.2309699292f * s3,
+                -1.2684380046f * l3 + 2.6097574011f * m3 - 0.3413193965f * s3,
+                -0.0041960863f * l3 - 0.7034186147f * m3 + 1.7076147010f * s3);
+}
+
+// A colour for an id, linear. Any hue; lightness and chroma vary little, so that none stands out and shading
+// stays readable.
+SHARED_FN vec3 idColor(const uint id) {
+    const uint bits = hashed(id + 1u); // 0 would map to itself
+    const vec2 hue = circlePoint(float(bits & 0xffffu) * (1.0f / 65536.0f));
+    const float lightness = 0.62f + 0.2f * float((bits >> 16u) & 255u) * (1.0f / 255.0f);
+    const float chroma = 0.08f + 0.06f * float(bits >> 24u) * (1.0f / 255.0f);
+    return max(oklabColor(lightness, chroma * hue.x, chroma * hue.y), vec3(0.0f));
+}
+
+// The same as a lamp at the eye shows it: enough to see the shape.
+SHARED_FN vec3 shadedColor(const vec3 color, const float cosine) {
+    return color * (0.3f + 0.7f * abs(cosine));
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,82 @@
+// The views of surfaces and of the work that a ray took: from what is known of a camera ray to a pixel.
+#ifndef METAMARCH_SHARED_INSPECT_H
+#define METAMARCH_SHARED_INSPECT_H
+#include "shared/false_color.h"
+#include "shared/hit_point.h"
+#include "shared/inspect_view.h"
+#include "shared/material.h"
+
+SHARED_BEGIN
+
+const float kDepthBands = 32.0f; // from the eye to where it is black
+
+// Texture coordinates of the first set, also where no texture wants them.
+SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weights) {
+    const Vertex a = loadVertex(SCENE surface.vertex0);
+    const Vertex b = loadVertex(SCENE surface.vertex1);
+    const Vertex c = loadVertex(SCENE surface.vertex2);
+    return vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z;
+}
+
+// The fractions as red and green, on squares of an eighth.
+SHARED_FN vec3 uvColor(const vec2 uv) {
+    const vec2 part = uv - floor(uv);
+    const vec2 squares = floor(uv * 8.0f);
+    const float parity = (squares.x + squares.y) * 0.5f;
+    const float light = parity - floor(parity) > 0.25f ? 1.0f : 0.86f;
+    return vec3(part.x * light, part.y * light, 0.25f * light);
+}
+
+// From white near the eye to black, in bands whose edges run like the contours of a map.
+SHARED_FN vec3 depthColor(const float part) {
+    const float bands = part * kDepthBands;
+    return vec3((1.0f - part) * (1.0f - 0.2f * (bands - floor(bands))));
+}
+
+// `triangle` is the one that was hit; of a miss it is not looked at.
+SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Camera camera,
+                              const Inspected found, const TriangleRecord triangle) {
+    if (found.steps == kCutShort) {
+        return kUnfinishedColor;
+    }
+    if (push.view == kViewSteps || push.view == kViewTests) {
+        const uint count = push.view == kViewSteps ? found.steps : found.tests;
+        return packedPixel(heatColor(float(count) / push.scaleMax));
+    }
+    if (found.hit.triangleId == kNoTriangle) {
+        return kMissColor;
+    }
+    if (push.view == kViewDepth) {
+        // A panorama has no view axis: along the ray.
+        const float t = found.ray.shift + found.hit.t;
+        const float cosine = dotProduct(found.view.dir, camera.forward);
+        return packedPixel(
+            depthColor(t * (camera.projection == kProjectionPanorama ? 1.0f : cosine) / push.scaleMax));
+    }
+    const vec3 weights = cornerWeights(found.ray, triangle.v0, triangle.v1, triangle.v2);
+    const vec3 normal = makeSurfacePoint(triangle, weights).normal;
+    const float cosine = dotProduct(normal, found.view.dir);
+    if (push.view == kViewNormals) {
+        return packedPixel(normal * 0.5f + vec3(0.5f));
+    }
+    if (push.view == kViewTriangleId) {
+        return packedLinear(shadedColor(idColor(found.hit.triangleId), cosine));
+    }
+    const Surface surface = loadSurface(SCENE found.hit.triangleId);
+    if (push.view == kViewMaterialId) {
+        return packedLinear(shadedColor(idColor(surface.material), cosine));
+    }
+    if (push.view == kViewUvs) {
+        return packedPixel(uvColor(firstPlace(SCENE surface, weights)));
+    }
+    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const TexturePoint at = texturePoint(SCENE surface, weights);
+    if (push.view == kViewAlbedo) {
+        return packedLinear(baseColorOf(SCENE record, vertexColor(SCENE surface, weights), at));
+    }
+    const SurfaceFrame frame = surfaceFrame(SCENE record, surface, weights, at, normal, -found.view.dir);
+    return packedPixel(frame.normal * 0.5f + vec3(0.5f));
+}
+
+SHARED_END
+#endif

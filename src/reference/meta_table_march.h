@@ -1,0 +1,53 @@
+// The loop of the march through the meta table, and whoever wants to watch it.
+#pragma once
+#include "reference/require.h"
+#include "reference/triangle_records.h"
+#include "shared/march.h"
+
+namespace metamarch {
+
+// One turn of the loop: the leaf has been tested, and the ray is about to leave the exit box.
+struct MarchTurn {
+    ivec3 cell;
+    std::uint32_t leafId;
+    const Leaf& leaf;
+    ivec3 lo; // of the exit box
+    ivec3 hi; // exclusive
+    BoxExit exit;
+    const TraceResult& trace; // with this turn's tests
+};
+
+// `observe` is called with each MarchTurn. One that does nothing costs nothing.
+template <Invariants invariants, class Observer>
+[[gnu::always_inline]] inline TraceResult marchMetaTable(const AccelerationStructure& scene, const Ray& ray,
+                                                         const HitQuery query, Observer&& observe) {
+    TraceResult trace = startTrace(ray);
+    if (ray.tMax < ray.tMin) {
+        return trace;
+    }
+    const uvec3 resolution = scene.lattice.resolution;
+    const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
+    const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
+    ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(resolution));
+    while (true) {
+        require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
+        require<invariants>(trace.steps < mostSteps, "the march did not end");
+        ++trace.steps;
+        const std::uint32_t leafId = scene.leafAt(cell);
+        const Leaf& leaf = scene.table.leaves[leafId];
+        testTriangles(scene.tableTriangles(), ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        const ivec3 lo = unpackCell(leaf.lo);
+        const ivec3 hi = unpackCell(leaf.hi);
+        require<invariants>(cell == clamp(cell, lo, hi - 1),
+                            "the table names a leaf that does not hold the cell");
+        const BoxExit next = leaveBox(ray, lo, hi, cell);
+        require<invariants>(movedOn(cell, next.cell, upward), "the march did not move on");
+        observe(MarchTurn{cell, leafId, leaf, lo, hi, next, trace});
+        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
+            return trace;
+        }
+        cell = next.cell;
+    }
+}
+
+} // namespace metamarch

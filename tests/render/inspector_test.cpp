@@ -1,0 +1,307 @@
+// The views of the algorithm on the device against the same functions fed by the twins, to the bit; cuts of
+// the work, replaced shaders, traces that a driver ends.
+#include "fixtures/shapes.h"
+#include "fixtures/vulkan_environment.h"
+#include "path/gpu_scenes.h"
+#include "reference/twins.h"
+#include "render/inspect_judge.h"
+#include "render/inspector.h"
+#include "render/view_names.h"
+#include "scene/import.h"
+#include "scene/shading.h"
+#include "scene/view.h"
+#include "shader_library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace metamarch::tests {
+namespace {
+
+const std::string kDefaultTraversal(traversals().front());
+constexpr float kManySteps = 24.0f; // less than some rays take, more than most
+
+// A scene on both sides.
+class Sides {
+  public:
+    explicit Sides(const PathScene& given, const AccelerationOptions& options = {})
+        : made(given), structure(buildAccelerationStructure(made.scene, options)), structures(structure),
+          shading(shadingOf(made)), primary(makeShadingData(made.scene)),
+          sceneBuffers(vulkan::testDevice(), structure, primary),
+          shadingBuffers(vulkan::testDevice(), shading) {}
+
+    std::vector<std::uint32_t> onCpu(const std::string& traversal, const Camera& camera,
+                                     const std::uint32_t view, const float scaleMax) const {
+        return inspectOnCpu(structures, shading, traversal, camera, view, scaleMax);
+    }
+
+    render::Inspector inspector(const std::string& traversal, const std::uint32_t mostPixels,
+                                const std::span<const std::uint32_t> spirv = {},
+                                const std::span<const std::uint32_t> cellsSpirv = {}) const {
+        return render::Inspector(vulkan::testDevice(), sceneBuffers, shadingBuffers, traversal, mostPixels,
+                                 spirv, cellsSpirv);
+    }
+
+    Camera camera(const std::uint32_t width, const std::uint32_t height) const {
+        return makeCamera(made.view, width, height, made.camera);
+    }
+
+    // From the eye to the far end of the scene.
+    float reach() const {
+        const Bounds bounds = boundsOf(made.scene);
+        return glm::length(made.view.eye - bounds.lo) + glm::length(bounds.hi - bounds.lo);
+    }
+
+    Memory memory() const { return sceneBuffers.memoryKind(); }
+    const SceneCamera& view() const { return made.view; }
+
+  private:
+    PathScene made;
+    AccelerationStructure structure;
+    StructureSet structures;
+    ShadingScene shading;
+    ShadingData primary;
+    render::SceneBuffers sceneBuffers;
+    render::ShadingBuffers shadingBuffers;
+};
+
+PathScene fromFile(const char* name) {
+    PathScene made;
+    made.scene = loadScene(std::filesystem::path(METAMARCH_SOURCE_DIR) / "scenes" / name);
+    made.view = made.scene.cameras.empty()
+                    ? frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 4.0f / 3.0f)
+                    : made.scene.cameras.front();
+    return made;
+}
+
+PathScene soup() {
+    PathScene made;
+    made.scene = triangleSoup(3000, 5);
+    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 4.0f / 3.0f);
+    return made;
+}
+
+std::vector<std::uint32_t> draw(render::Inspector& inspector, const Camera& camera, const std::uint32_t view,
+                                const float scaleMax) {
+    inspector.start(camera, view, scaleMax);
+    while (!inspector.advance()) {
+    }
+    return inspector.download();
+}
+
+std::size_t colorsIn(const std::vector<std::uint32_t>& picture) {
+    return std::set<std::uint32_t>(picture.begin(), picture.end()).size();
+}
+
+void expectSamePicture(const std::vector<std::uint32_t>& picture, const std::vector<std::uint32_t>& expected,
+                       const std::uint32_t width) {
+    ASSERT_EQ(picture.size(), expected.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        if (picture[i] != expected[i] && different++ == 0) {
+            ADD_FAILURE() << "pixel " << i % width << ", " << i / width << ": " << std::hex << picture[i]
+                          << ", expected " << expected[i];
+        }
+    }
+    EXPECT_EQ(different, 0u) << "pixels";
+}
+
+struct InspectedScene {
+    const char* name;
+    std::function<PathScene()> make;
+    AccelerationOptions options{};
+};
+
+void PrintTo(const InspectedScene& scene, std::ostream* out) { *out << scene.name; }
+
+class Inspector : public testing::TestWithParam<InspectedScene> {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+};
+
+// Of a scene, of the default traversal, every view with every camera; of its rivals what differs, steps and
+// tests, and one view of each program.
+TEST_P(Inspector, drawsWhatTheTwinsDraw) {
+    const Sides sides(GetParam().make(), GetParam().options);
+    SceneCamera flat = sides.view();
+    flat.projection = SceneCamera::Projection::orthographic;
+    flat.verticalExtent = 0.5f * sides.reach();
+    const Camera cameras[] = {
+        sides.camera(75, 50), // not whole tiles
+        makeCamera(flat, 61, 47),
+        makeCamera(sides.view(), 70, 35, {.isPanorama = true}),
+    };
+    for (const std::string_view name : traversals()) {
+        if (!hasTwin(name)) {
+            continue;
+        }
+        SCOPED_TRACE(name);
+        const std::string traversal(name);
+        const bool isDefault = traversal == kDefaultTraversal;
+        render::Inspector inspector = sides.inspector(traversal, 75 * 50);
+        for (const render::ViewName& viewName : render::kViewNames) {
+            const std::uint32_t view = viewName.view;
+            if (!isDefault && view != kViewSteps && view != kViewTests && view != kViewShadingNormals) {
+                continue;
+            }
+            SCOPED_TRACE(viewName.name);
+            const float scaleMax = view == kViewDepth ? sides.reach() : kManySteps;
+            for (const Camera& camera : std::span(cameras).first(isDefault ? 3 : 1)) {
+                const auto expected = sides.onCpu(traversal, camera, view, scaleMax);
+                expectSamePicture(draw(inspector, camera, view, scaleMax), expected, camera.width);
+                // Brute force takes as many tests for each ray.
+                EXPECT_TRUE(!isDefault || colorsIn(expected) > 1u) << "nothing to see";
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Inspector,
+    testing::Values(InspectedScene{"objects", [] { return fromFile("objects.glb"); }},
+                    InspectedScene{"cornell", [] { return fromFile("cornell.glb"); }},
+                    InspectedScene{"degenerate", [] { return fromFile("degenerate.glb"); }},
+                    InspectedScene{"soup", soup},
+                    InspectedScene{"without_exit_boxes", soup, {{}, 4096u, {}, TableMethod::unit, {}, false}},
+                    InspectedScene{"everything", everything}),
+    [](const auto& instance) { return std::string(instance.param.name); });
+
+class InspectorWork : public testing::Test {
+  protected:
+    void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+
+    const Sides sides{soup()};
+};
+
+TEST_F(InspectorWork, hasANameForEachView) {
+    std::set<std::string_view> names;
+    for (std::uint32_t view = 0; view < kInspectViews; ++view) {
+        EXPECT_EQ(render::kViewNames[view].view, view);
+        names.insert(render::kViewNames[view].name);
+    }
+    EXPECT_EQ(names.size(), kInspectViews);
+}
+
+// The lens is closed: a view has no samples to blur with.
+TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
+    const Camera camera = makeCamera(sides.view(), 40, 30, {.apertureRadius = 0.5f, .focusDistance = 1.0f});
+    render::Inspector inspector = sides.inspector(kDefaultTraversal, 40 * 30);
+    expectSamePicture(draw(inspector, camera, kViewNormals, 1.0f),
+                      sides.onCpu(kDefaultTraversal, sides.camera(40, 30), kViewNormals, 1.0f), 40);
+}
+
+TEST_F(InspectorWork, cutSmallDrawsTheSame) {
+    const Camera camera = sides.camera(93, 70);
+    constexpr std::uint32_t kTiles = 12 * 9;
+    for (const std::uint32_t view : {kViewTests, kViewAlbedo, kViewCellBorders}) {
+        SCOPED_TRACE(view);
+        render::Inspector inspector = sides.inspector(kDefaultTraversal, 93 * 70);
+        inspector.start(camera, view, kManySteps);
+        EXPECT_FALSE(inspector.isWhole());
+        std::uint32_t submissions = 1;
+        while (!inspector.advance(1e-9)) {
+            ++submissions;
+        }
+        EXPECT_EQ(submissions, kTiles);
+        EXPECT_TRUE(inspector.isWhole());
+        EXPECT_GT(inspector.deviceSeconds(), 0.0);
+        const auto picture = inspector.download();
+        expectSamePicture(picture, sides.onCpu(kDefaultTraversal, camera, view, kManySteps), 93);
+
+        const double seconds = inspector.deviceSeconds();
+        EXPECT_TRUE(inspector.advance());
+        EXPECT_EQ(inspector.deviceSeconds(), seconds);
+        EXPECT_EQ(inspector.download(), picture);
+    }
+}
+
+TEST_F(InspectorWork, startsAnewBeforeThePictureIsWhole) {
+    render::Inspector inspector = sides.inspector(kDefaultTraversal, 90 * 70);
+    inspector.start(sides.camera(90, 70), kViewSteps, kManySteps);
+    EXPECT_FALSE(inspector.advance());
+    const Camera smaller = sides.camera(33, 21);
+    expectSamePicture(draw(inspector, smaller, kViewLeafId, 1.0f),
+                      sides.onCpu(kDefaultTraversal, smaller, kViewLeafId, 1.0f), 33);
+    EXPECT_EQ(inspector.picture().size(), 90u * 70u * sizeof(std::uint32_t));
+}
+
+TEST_F(InspectorWork, refusesWhatItHasNoRoomForAndWhatIsNoView) {
+    render::Inspector inspector = sides.inspector(kDefaultTraversal, 1000);
+    EXPECT_TRUE(inspector.isWhole());
+    EXPECT_TRUE(inspector.download().empty());
+    EXPECT_THROW(inspector.start(sides.camera(143, 7), kViewSteps, 1.0f), std::invalid_argument);
+    EXPECT_THROW(inspector.start(sides.camera(10, 10), kInspectViews, 1.0f), std::invalid_argument);
+    for (const float scale : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        EXPECT_THROW(inspector.start(sides.camera(10, 10), kViewSteps, scale), std::invalid_argument);
+    }
+    Camera empty = sides.camera(10, 10);
+    empty.width = 0;
+    EXPECT_THROW(inspector.start(empty, kViewSteps, 1.0f), std::invalid_argument);
+    inspector.start(sides.camera(142, 7), kViewSteps, 1.0f);
+}
+
+// The embedded shader of a kernel with another colour for misses.
+std::vector<std::uint32_t> recolored(const std::string_view kernel, const std::string_view traversal,
+                                     const Memory memory, const std::uint32_t color) {
+    const auto all = shaders();
+    const auto shader = std::ranges::find_if(all, [&](const Shader& candidate) {
+        return candidate.kernel == kernel && candidate.traversal == traversal && candidate.memory == memory;
+    });
+    std::vector<std::uint32_t> spirv(shader->spirv.begin(), shader->spirv.end());
+    EXPECT_EQ(std::ranges::count(spirv, kMissColor), 1);
+    std::ranges::replace(spirv, kMissColor, color);
+    return spirv;
+}
+
+TEST_F(InspectorWork, takesShadersInPlaceOfTheEmbeddedOnes) {
+    constexpr std::uint32_t kOther = 0xff563412u;
+    constexpr std::uint32_t kOtherOfCells = 0xff654321u;
+    const Camera camera = sides.camera(40, 30);
+    const auto withMisses = [&](const std::uint32_t view, const std::uint32_t color) {
+        auto expected = sides.onCpu(kDefaultTraversal, camera, view, 1.0f);
+        EXPECT_GT(std::ranges::count(expected, kMissColor), 0);
+        std::ranges::replace(expected, kMissColor, color);
+        return expected;
+    };
+    render::Inspector inspector = [&] {
+        // They need not live any longer.
+        const auto spirv = recolored("inspect", kDefaultTraversal, sides.memory(), kOther);
+        const auto cellsSpirv = recolored("cells", "", sides.memory(), kOtherOfCells);
+        return sides.inspector(kDefaultTraversal, 40 * 30, spirv, cellsSpirv);
+    }();
+    for (const std::uint32_t view : {kViewNormals, kViewAlbedo}) {
+        expectSamePicture(draw(inspector, camera, view, 1.0f), withMisses(view, kOther), 40);
+    }
+    expectSamePicture(draw(inspector, camera, kViewLeafId, 1.0f), withMisses(kViewLeafId, kOtherOfCells), 40);
+}
+
+// More triangles in one leaf than llvmpipe tests in a loop.
+TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
+    PathScene made;
+    addSphere(made.scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles
+    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
+    const Sides sides(made, {{}, {}, 0u}); // all in one leaf
+    const Camera camera = sides.camera(8, 8);
+    render::Inspector inspector = sides.inspector("meta_table", 64);
+    for (const std::uint32_t view : {kViewSteps, kViewNormals, kViewLeafId}) {
+        SCOPED_TRACE(view);
+        const auto expected = sides.onCpu("meta_table", camera, view, 4.0f);
+        const auto picture = draw(inspector, camera, view, 4.0f);
+        std::size_t unfinished = 0;
+        for (std::size_t i = 0; i < picture.size(); ++i) {
+            const bool isUnfinished = picture[i] == kUnfinishedColor;
+            unfinished += isUnfinished ? 1 : 0;
+            EXPECT_TRUE(isUnfinished || picture[i] == expected[i]) << "pixel " << i;
+        }
+        if (vulkan::testDevice().report().driver == "llvmpipe") {
+            EXPECT_GT(unfinished, 0u);
+        }
+    }
+}
+
+} // namespace
+} // namespace metamarch::tests
