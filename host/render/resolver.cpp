@@ -15,16 +15,11 @@ Resolver::Resolver(const vulkan::Device& device, const vulkan::Buffer& film, con
     pipeline.bind(kBindOutput, pictureBuffer);
 }
 
-void Resolver::clear(vulkan::Commands& commands, const glm::uvec2 size) {
-    pictureSize = size;
-    commands.fill(pictureBuffer, 0);
-}
-
-void Resolver::resolve(vulkan::Commands& commands, const TileRange tiles,
+void Resolver::resolve(vulkan::Commands& commands, const TileRange tiles, const glm::uvec2 size,
                        const ToneMapping& toneMapping) const {
     commands.dispatch(pipeline, {tiles.count(), 1, 1},
-                      ResolvePush{tiles.first, (pictureSize.x + kTileSide - 1) / kTileSide, pictureSize.x,
-                                  pictureSize.y, toneMapping.toneOperator, exposureScale(toneMapping)});
+                      ResolvePush{tiles.first, (size.x + kTileSide - 1) / kTileSide, size.x, size.y,
+                                  toneMapping.toneOperator, exposureScale(toneMapping)});
 }
 
 } // namespace metamarch::render

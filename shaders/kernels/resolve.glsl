@@ -1,5 +1,6 @@
 // The light of some tiles of a film as 8 bits a channel, one invocation a pixel.
 #include "shared/film.h"
+#include "shared/packed_pixel.h"
 #include "shared/primary.h"
 #include "shared/screen.h"
 #include "shared/tone_mapping.h"
@@ -19,5 +20,5 @@ void main() {
     }
     const FilmPixel sum = film[tile * kTilePixels + gl_LocalInvocationIndex];
     const vec3 shown = toneMapped(push.toneOperator, push.scale, meanRadiance(sum));
-    picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packSrgb8(shown);
+    picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packedLinear(shown);
 }

@@ -1,32 +1,10 @@
-// Colours for numbers that are none, and pixels as a screen shows them.
+// Colours for numbers that are none.
 #ifndef METAMARCH_SHARED_FALSE_COLOR_H
 #define METAMARCH_SHARED_FALSE_COLOR_H
-#include "shared/math.h"
+#include "shared/packed_pixel.h"
 #include "shared/sobol.h"
 
 SHARED_BEGIN
-
-SHARED_FN uint packedPart(const float x) {
-    const float part = x > 0.0f ? min(x, 1.0f) : 0.0f; // 0 for NaN, too
-    return uint(part * 255.0f + 0.5f);
-}
-
-// The pixel of a colour as a screen shows it, sRGB-coded: 8 bits a channel, red in the lowest, opaque.
-SHARED_FN uint packedPixel(const vec3 coded) {
-    return packedPart(coded.x) | (packedPart(coded.y) << 8u) | (packedPart(coded.z) << 16u) | 0xff000000u;
-}
-
-// IEC 61966-2-1.
-SHARED_FN float srgbCoded(const float linear) {
-    const float low = 12.92f * linear;
-    const float high = 1.055f * power(max(linear, 0.0031308f), 0.416666667f) - 0.055f;
-    return linear > 0.0031308f ? high : low;
-}
-
-SHARED_FN uint packedLinear(const vec3 linear) {
-    const vec3 color = min(linear, vec3(1.0f));
-    return packedPixel(vec3(srgbCoded(color.x), srgbCoded(color.y), srgbCoded(color.z)));
-}
 
 // How hot a part of the hottest is, sRGB-coded: from black over violet and orange to pale yellow, in the
 // order of lightness. S. van der Walt, N. Smith, the colour map `inferno` of Matplotlib, 2015, by the

@@ -1,4 +1,4 @@
-// From linear light to the 8 bits a screen shows.
+// From the light of a scene to the light of a screen.
 #ifndef METAMARCH_SHARED_TONE_MAPPING_H
 #define METAMARCH_SHARED_TONE_MAPPING_H
 #include "shared/math.h"
@@ -101,24 +101,6 @@ SHARED_FN vec3 toneMapped(const uint toneOperator, const float scale, const vec3
         shown = agxTone(color);
     }
     return clampedColor(shown);
-}
-
-// Clamp to [0, 1] and round to the nearest of 256 values. NaN becomes 0.
-SHARED_FN uint toLinear8(const float value) {
-    const float inside = value > 0.0f ? min(value, 1.0f) : 0.0f;
-    return uint(floor(inside * 255.0f + 0.5f));
-}
-
-// The same behind the sRGB curve (IEC 61966-2-1).
-SHARED_FN uint toSrgb8(const float linear) {
-    const float encoded =
-        linear > 0.0031308f ? 1.055f * power(min(linear, 1.0f), 0.416666667f) - 0.055f : 12.92f * linear;
-    return toLinear8(encoded);
-}
-
-// An opaque pixel; red in the lowest byte, as VK_FORMAT_R8G8B8A8_UNORM has it in memory.
-SHARED_FN uint packSrgb8(const vec3 linear) {
-    return toSrgb8(linear.x) | (toSrgb8(linear.y) << 8u) | (toSrgb8(linear.z) << 16u) | 0xff000000u;
 }
 
 SHARED_END

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "image/output_file.h"
+#include "shared/packed_pixel.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

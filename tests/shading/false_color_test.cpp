@@ -28,8 +28,8 @@ TEST(PackedPixel, hasRedInTheLowestByte) {
 
 TEST(PackedPixel, roundsAndClamps) {
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
-        EXPECT_EQ(packedPart((static_cast<float>(byte) + 0.4f) / 255.0f), byte);
-        EXPECT_EQ(packedPart((static_cast<float>(byte) - 0.4f) / 255.0f), byte);
+        EXPECT_EQ(toLinear8((static_cast<float>(byte) + 0.4f) / 255.0f), byte);
+        EXPECT_EQ(toLinear8((static_cast<float>(byte) - 0.4f) / 255.0f), byte);
     }
     const float infinity = std::numeric_limits<float>::infinity();
     EXPECT_EQ(packedPixel(vec3(-1.0f, 2.0f, -0.0f)), 0xff00ff00u);
