@@ -192,6 +192,19 @@ TEST_F(InspectorWork, hasANameForEachView) {
     EXPECT_EQ(names.size(), kInspectViews);
 }
 
+TEST_F(InspectorWork, drawsAnEmptyScene) {
+    PathScene made;
+    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
+    const Sides empty(made);
+    const Camera camera = empty.camera(9, 9);
+    render::Inspector inspector = empty.inspector(kDefaultTraversal, 81);
+    for (const render::ViewName& name : render::kViewNames) {
+        SCOPED_TRACE(name.name);
+        expectSamePicture(draw(inspector, camera, name.view, 1.0f),
+                          empty.onCpu(kDefaultTraversal, camera, name.view, 1.0f), 9);
+    }
+}
+
 // The lens is closed: a view has no samples to blur with.
 TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
     const Camera camera = makeCamera(sides.view(), 40, 30, {.apertureRadius = 0.5f, .focusDistance = 1.0f});
