@@ -8,7 +8,8 @@
 
 SHARED_BEGIN
 
-const float kDepthBands = 32.0f; // from the eye to where it is black
+const float kDepthBands = 64.0f; // from the eye to where it is black
+const float kUvSquares = 32.0f;  // of the checker, along a unit
 
 // Texture coordinates of the first set, also where no texture wants them.
 SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weights) {
@@ -18,10 +19,10 @@ SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weig
     return vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z;
 }
 
-// The fractions as red and green, on squares of an eighth.
+// The fractions as red and green, on a faint checker.
 SHARED_FN vec3 uvColor(const vec2 uv) {
     const vec2 part = uv - floor(uv);
-    const vec2 squares = floor(uv * 8.0f);
+    const vec2 squares = floor(uv * kUvSquares);
     const float parity = (squares.x + squares.y) * 0.5f;
     const float light = parity - floor(parity) > 0.25f ? 1.0f : 0.86f;
     return vec3(part.x * light, part.y * light, 0.25f * light);

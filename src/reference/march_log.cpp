@@ -9,15 +9,17 @@ MarchLog logMarch(const AccelerationStructure& scene, const Ray& ray, const HitQ
     float tNear = ray.tNear;
     log.result = marchMetaTable<Invariants::checked>(scene, ray, query, [&](const MarchTurn& turn) {
         const Hit& best = turn.trace.hit;
+        const CellBox exitBox = boxOf(turn.leaf);
+        const float tFar = leaveBox(ray, exitBox.lo, exitBox.hi, turn.cell).t;
         log.steps.push_back({turn.cell,
                              turn.leafId,
-                             {turn.lo, turn.hi},
+                             exitBox,
                              turn.leaf.triangleCount,
                              ray.shift + tNear,
-                             ray.shift + turn.exit.t,
+                             ray.shift + tFar,
                              {ray.shift + best.t, best.triangleId},
                              false});
-        tNear = turn.exit.t;
+        tNear = tFar;
     });
     if (!log.steps.empty()) {
         log.steps.back().isFinal = log.result.hit.triangleId != kNoTriangle;

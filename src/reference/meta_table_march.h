@@ -6,14 +6,11 @@
 
 namespace metamarch {
 
-// One turn of the loop: the leaf has been tested, and the ray is about to leave the exit box.
+// One turn of the loop: the cell's leaf has been tested, and the ray has yet to leave its exit box.
 struct MarchTurn {
     ivec3 cell;
     std::uint32_t leafId;
     const Leaf& leaf;
-    ivec3 lo; // of the exit box
-    ivec3 hi; // exclusive
-    BoxExit exit;
     const TraceResult& trace; // with this turn's tests
 };
 
@@ -36,14 +33,17 @@ template <Invariants invariants, class Observer>
         const std::uint32_t leafId = scene.leafAt(cell);
         const Leaf& leaf = scene.table.leaves[leafId];
         testTriangles(scene.tableTriangles(), ray, leaf.firstTriangle, leaf.triangleCount, trace);
+        observe(MarchTurn{cell, leafId, leaf, trace});
+        if (isDone(trace, query)) {
+            return trace;
+        }
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);
         require<invariants>(cell == clamp(cell, lo, hi - 1),
                             "the table names a leaf that does not hold the cell");
         const BoxExit next = leaveBox(ray, lo, hi, cell);
         require<invariants>(movedOn(cell, next.cell, upward), "the march did not move on");
-        observe(MarchTurn{cell, leafId, leaf, lo, hi, next, trace});
-        if (isDone(trace, query) || trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
+        if (trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
             return trace;
         }
         cell = next.cell;

@@ -28,10 +28,16 @@ constexpr float kManySteps = 24.0f; // less than some rays take, more than most
 // A scene on both sides.
 class Sides {
   public:
-    explicit Sides(const PathScene& given, const AccelerationOptions& options = {})
+    enum class Where { fasterMemory, storageBuffers };
+
+    explicit Sides(const PathScene& given, const AccelerationOptions& options = {},
+                   const Where where = Where::fasterMemory)
         : made(given), structure(buildAccelerationStructure(made.scene, options)), structures(structure),
           shading(shadingOf(made)), primary(makeShadingData(made.scene)),
-          sceneBuffers(vulkan::testDevice(), structure, primary),
+          sceneBuffers(where == Where::fasterMemory
+                           ? render::SceneBuffers(vulkan::testDevice(), structure, primary)
+                           : render::SceneBuffers(vulkan::testDevice(), structure, primary,
+                                                  vulkan::testDevice().report().maxStorageBufferRange)),
           shadingBuffers(vulkan::testDevice(), shading) {}
 
     std::vector<std::uint32_t> onCpu(const std::string& traversal, const Camera& camera,
@@ -186,12 +192,37 @@ TEST_F(InspectorWork, hasANameForEachView) {
     EXPECT_EQ(names.size(), kInspectViews);
 }
 
+TEST_F(InspectorWork, drawsAnEmptyScene) {
+    PathScene made;
+    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
+    const Sides empty(made);
+    const Camera camera = empty.camera(9, 9);
+    render::Inspector inspector = empty.inspector(kDefaultTraversal, 81);
+    for (const render::ViewName& name : render::kViewNames) {
+        SCOPED_TRACE(name.name);
+        expectSamePicture(draw(inspector, camera, name.view, 1.0f),
+                          empty.onCpu(kDefaultTraversal, camera, name.view, 1.0f), 9);
+    }
+}
+
 // The lens is closed: a view has no samples to blur with.
 TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
     const Camera camera = makeCamera(sides.view(), 40, 30, {.apertureRadius = 0.5f, .focusDistance = 1.0f});
     render::Inspector inspector = sides.inspector(kDefaultTraversal, 40 * 30);
     expectSamePicture(draw(inspector, camera, kViewNormals, 1.0f),
                       sides.onCpu(kDefaultTraversal, sides.camera(40, 30), kViewNormals, 1.0f), 40);
+}
+
+TEST_F(InspectorWork, storageBuffersDrawTheSame) {
+    const Sides inStorage(blended(), {}, Sides::Where::storageBuffers);
+    ASSERT_EQ(inStorage.memory(), Memory::storage);
+    const Camera camera = inStorage.camera(40, 30);
+    render::Inspector inspector = inStorage.inspector(kDefaultTraversal, 40 * 30);
+    for (const std::uint32_t view : {kViewSteps, kViewAlbedo, kViewShadingNormals, kViewExitBoxes}) {
+        SCOPED_TRACE(view);
+        expectSamePicture(draw(inspector, camera, view, kManySteps),
+                          inStorage.onCpu(kDefaultTraversal, camera, view, kManySteps), 40);
+    }
 }
 
 TEST_F(InspectorWork, cutSmallDrawsTheSame) {
