@@ -7,6 +7,7 @@
 #include "cli/nearest_word.h"
 #include "cli/render_command.h"
 #include "cli/version.h"
+#include "cli/view_command.h"
 #include "error.h"
 #include "vulkan/context.h"
 
@@ -101,6 +102,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer(kFooter);
     addRenderCommand(program);
+    addViewCommand(program);
     addInfoCommand(program);
     addCompareCommand(program);
     addBenchCommand(program);

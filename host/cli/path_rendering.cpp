@@ -4,6 +4,7 @@
 #include "cli/stopwatch.h"
 #include "cli/warnings.h"
 #include "image/film_image.h"
+#include "image/picture_header.h"
 #include "reference/path.h"
 #include "render/path_renderer.h"
 #include "scene/shading.h"
@@ -85,9 +86,7 @@ Rendering renderPaths(const RenderJob& job, const ShadingScene& shading, const P
     result.summary = fmt::format("{} samples a pixel, {:.2f} Msamples/s, {:.2f} Mrays/s", samples,
                                  taken / seconds * 1e-6, (rays + shadowRays) / seconds * 1e-6);
     result.image = filmImage(film, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height));
-    result.image.attributes = {{"metamarch/spp", fmt::format("{}", samples)},
-                               {"metamarch/seed", fmt::format("{}", settings.seed)},
-                               {"metamarch/maxBounces", fmt::format("{}", settings.maxBounces)}};
+    addSampling(result.image, samples, settings.seed, settings.maxBounces);
     return result;
 }
 

@@ -16,6 +16,7 @@
 #include "error.h"
 #include "image/image_file.h"
 #include "image/output_file.h"
+#include "image/picture_header.h"
 #include "render/scene_buffers.h"
 #include "scene/import.h"
 #include "scene/lit_scene.h"
@@ -67,24 +68,6 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     return weakly_canonical(absolute(a)) == weakly_canonical(absolute(b));
 }
 
-void addHeader(Image& image, const RenderOptions& options, const SceneCamera& camera,
-               const Rendering& rendering) {
-    const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    const std::vector<std::pair<std::string, std::string>> ofPicture = {
-        {"Software", programVersion()},
-        {"metamarch/device", rendering.device},
-        {"metamarch/driver", rendering.driver},
-        {"metamarch/traversal", rendering.traversal},
-        {"metamarch/integrator", options.integrator},
-        {"metamarch/scene", options.scenePath},
-        {"metamarch/camera", camera.name},
-        {"metamarch/eye", point(camera.eye)},
-        {"metamarch/forward", point(camera.forward)},
-        {"metamarch/up", point(camera.up)},
-        {"metamarch/seconds", fmt::format("{:.3f}", rendering.stats["seconds"]["render"].get<double>())}};
-    image.attributes.insert(image.attributes.end(), ofPicture.begin(), ofPicture.end());
-}
-
 nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure& structure,
                                  const Rendering& rendering, const RenderOptions& options,
                                  const glm::uvec2 size) {
@@ -110,14 +93,6 @@ Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
         printWarning(warning);
     }
     return renderPaths(job, lit.shading, path.applied(lit.shading.settings), options.path.samples());
-}
-
-// The background is part of what a path tracer draws. In a PNG, which knows no light beside its alpha,
-// nothing may show through it.
-void makeOpaque(Image& image) {
-    if (const auto alpha = image.findChannel("A")) {
-        image.channels[*alpha] = "coverage";
-    }
 }
 
 void runRender(const RenderOptions& options) {
@@ -164,7 +139,10 @@ void runRender(const RenderOptions& options) {
     if (options.integrator != "primary" && std::filesystem::path(options.outputPath).extension() == ".png") {
         makeOpaque(rendering.image);
     }
-    addHeader(rendering.image, options, sceneCamera, rendering);
+    addHeader(rendering.image,
+              {programVersion(), rendering.device, rendering.driver, rendering.traversal, options.integrator,
+               options.scenePath, rendering.stats["seconds"]["render"].get<double>()},
+              sceneCamera);
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
     writeImage(rendering.image, options.outputPath, options.tone.parse(options.integrator));
     if (!options.statsPath.empty()) {

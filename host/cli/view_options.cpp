@@ -93,12 +93,11 @@ SceneCamera ViewOptions::choose(const Scene& scene, const glm::uvec2 size) const
     const auto fov = verticalFov ? std::optional(static_cast<float>(*verticalFov * std::numbers::pi / 180.0))
                                  : std::nullopt;
     SceneCamera chosen;
-    if (!eye.empty()) {
-        chosen = lookAt(parsePoint("--eye", eye), parsePoint("--target", target),
-                        parsePoint("--up", up.empty() ? "0,1,0" : up));
-        if (verticalExtent) {
+    if (const std::optional<Pose> given = pose()) {
+        chosen = lookAt(given->eye, given->target, given->up);
+        if (const std::optional<float> height = orthographicHeight()) {
             chosen.projection = SceneCamera::Projection::orthographic;
-            chosen.verticalExtent = static_cast<float>(*verticalExtent);
+            chosen.verticalExtent = *height;
         }
     } else if (!camera.empty() || !scene.cameras.empty()) {
         chosen = selectCamera(scene, camera.empty() ? "0" : camera);
@@ -108,6 +107,14 @@ SceneCamera ViewOptions::choose(const Scene& scene, const glm::uvec2 size) const
     }
     chosen.verticalFov = fov.value_or(chosen.verticalFov);
     return chosen;
+}
+
+std::optional<ViewOptions::Pose> ViewOptions::pose() const {
+    if (eye.empty()) {
+        return std::nullopt;
+    }
+    return Pose{parsePoint("--eye", eye), parsePoint("--target", target),
+                parsePoint("--up", up.empty() ? "0,1,0" : up)};
 }
 
 CameraOptions ViewOptions::parse() const {

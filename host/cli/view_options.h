@@ -23,6 +23,19 @@ class ViewOptions {
 
     CameraOptions parse() const;
 
+    // What was given of it.
+    struct Pose {
+        glm::vec3 eye;
+        glm::vec3 target;
+        glm::vec3 up;
+    };
+    std::optional<Pose> pose() const;
+    const std::string& cameraSelection() const { return camera; }
+    std::optional<double> verticalFovDegrees() const { return verticalFov; }
+    std::optional<float> orthographicHeight() const {
+        return verticalExtent ? std::optional(static_cast<float>(*verticalExtent)) : std::nullopt;
+    }
+
   private:
     std::string camera;
     std::string eye;

@@ -180,4 +180,18 @@ void poseNodes(GltfDocument& document, SceneFile& file, const std::string& anima
         file.warn("there is no animation, it looks the same at any time");
 }
 
+double animationSeconds(const GltfDocument& document) {
+    double last = 0.0;
+    const auto& accessors = document.model.accessors;
+    for (const tinygltf::Animation& animation : document.model.animations) {
+        for (const tinygltf::AnimationSampler& sampler : animation.samplers) {
+            const auto input = static_cast<std::size_t>(sampler.input);
+            if (sampler.input >= 0 && input < accessors.size() && !accessors[input].maxValues.empty() &&
+                std::isfinite(accessors[input].maxValues[0]))
+                last = std::max(last, accessors[input].maxValues[0]);
+        }
+    }
+    return last;
+}
+
 } // namespace metamarch

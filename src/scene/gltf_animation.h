@@ -12,4 +12,7 @@ namespace metamarch {
 // one that does not exist, and Error(sceneRefused) for one that is broken.
 void poseNodes(GltfDocument& document, SceneFile& file, const std::string& animation, double seconds);
 
+// When the last animation ends, by the files' own word: the greatest time of its samplers' accessors.
+double animationSeconds(const GltfDocument& document);
+
 } // namespace metamarch

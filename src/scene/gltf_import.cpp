@@ -35,6 +35,7 @@ class GltfImporter {
     }
 
     Scene import() {
+        scene_.animationSeconds = animationSeconds(document_);
         const GltfTextures textures(document_, file_);
         scene_.textures = textures.textures();
         readMaterials(textures);

@@ -72,6 +72,7 @@ struct Scene {
     std::vector<PunctualLight> lights;
     std::vector<SceneCamera> cameras;
     std::vector<std::string> variants; // names that ImportOptions::variant may give, in file order
+    double animationSeconds = 0.0;     // when the last animation ends; 0: nothing moves
 
     std::vector<std::string> warnings; // one line each, for the user
 };

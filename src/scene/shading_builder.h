@@ -23,6 +23,8 @@ struct ShadingOptions {
     bool isSingleScatter = false; // --brdf gltf
     bool isWhite =
         false; // every surface a white diffuse reflector without light of its own (--integrator ao)
+
+    bool operator==(const ShadingOptions&) const = default;
 };
 
 // Throws Error(outOfMemory) where the textures do not fit kTexelChunks chunks of `chunkBytes`, naming their

@@ -1,0 +1,97 @@
+#include "viewer/canvas.h"
+
+#include "render/kernel.h"
+#include "shared/primary.h"
+
+#include <algorithm>
+#include <array>
+
+namespace metamarch::viewer {
+namespace {
+
+// How many of the window's pixels, in each axis, a pixel of the coarse picture covers.
+constexpr std::array<std::uint32_t, 7> kCoarseness = {2, 3, 4, 6, 8, 12, 16};
+constexpr std::uint32_t kFirstCoarseness = 8; // while nobody knows how fast the device is
+
+// Films are large, and a device need not be able to bind more.
+constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
+
+glm::uvec2 divided(const glm::uvec2 size, const std::uint32_t by) { return (size + by - 1u) / by; }
+
+// The window's own size, or a whole part of it where the film would be too large.
+glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
+    const std::uint64_t most = std::min(kMostFilmBytes, device.report().maxStorageBufferRange);
+    std::uint32_t by = 1;
+    glm::uvec2 size = window;
+    const auto bytes = [](const glm::uvec2 s) {
+        const glm::uvec2 tiles = divided(s, kTileSide);
+        return std::uint64_t{tiles.x} * tiles.y * kTilePixels * sizeof(FilmPixel);
+    };
+    while (bytes(size) > most) {
+        size = divided(window, ++by);
+    }
+    return size;
+}
+
+} // namespace
+
+Canvas::Canvas(const vulkan::Device& usedDevice, const Stage& stage, const std::string& traversal,
+               const glm::uvec2 size, const ShaderOverrides& shaders)
+    : device(usedDevice), name(traversal), screenSize(size), fineSize(fittingSize(usedDevice, size)),
+      coarse(usedDevice, stage, traversal, divided(fineSize, kCoarseness.front()), shaders),
+      fine(usedDevice, stage, traversal, fineSize, shaders) {}
+
+void Canvas::start(const Shot& shot, const double seconds) {
+    const double pixels = static_cast<double>(fineSize.x) * fineSize.y;
+    const auto* const fitting = std::ranges::find_if(
+        kCoarseness, [&](const std::uint32_t by) { return pixels / (by * by) * secondsPerPixel <= seconds; });
+    const std::uint32_t by = secondsPerPixel == 0.0             ? kFirstCoarseness
+                             : fitting == std::end(kCoarseness) ? kCoarseness.back()
+                                                                : *fitting;
+    Shot quick = shot;
+    quick.endSample = 1;
+    coarse.start(quick, divided(fineSize, by));
+    fine.start(shot, fineSize);
+    isView = shot.view.has_value();
+}
+
+void Canvas::setTone(const ToneMapping& toneMapping) {
+    coarse.setTone(toneMapping);
+    fine.setTone(toneMapping);
+}
+
+bool Canvas::advance(const double seconds) {
+    if (coarse.isWhole()) {
+        return fine.advance(seconds);
+    }
+    coarse.advance(seconds);
+    if (coarse.isWhole() && coarse.seconds() > 0.0) {
+        secondsPerPixel = coarse.seconds() / (static_cast<double>(coarse.size().x) * coarse.size().y);
+    }
+    return true;
+}
+
+vulkan::ComputePipeline& Canvas::presenting() {
+    std::optional<vulkan::ComputePipeline>& pipeline = isView ? presentView : presentPath;
+    if (!pipeline) {
+        pipeline = render::makeKernel(device, "present",
+                                      {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
+                                       .pushConstantSize = sizeof(PresentPush)});
+        pipeline->bind(kBindInput, fine.picture());
+        pipeline->bind(kBindCoarse, coarse.picture());
+    }
+    return *pipeline;
+}
+
+void Canvas::record(vulkan::Commands& commands, const Screen& screen, const std::uint32_t first,
+                    const std::uint32_t end) {
+    coarse.record(commands);
+    fine.record(commands);
+    vulkan::ComputePipeline& pipeline = presenting();
+    pipeline.bind(kBindOutput, screen.pixels);
+    commands.dispatch(pipeline, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
+                      PresentPush{screen.size.x, screen.size.y, first, end, fine.size().x, fine.size().y,
+                                  coarse.size().x, coarse.size().y, screen.isBlueFirst ? 1u : 0u});
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,53 @@
+// What one traversal shows of the scene at the window's size: at once and coarse, then fine.
+#pragma once
+#include "viewer/plate.h"
+#include "viewer/presenter.h"
+
+#include <cstdint>
+#include <string>
+
+namespace metamarch::viewer {
+
+class Canvas {
+  public:
+    // `size` of the window, in pixels.
+    Canvas(const vulkan::Device& device, const Stage& stage, const std::string& traversal, glm::uvec2 size,
+           const ShaderOverrides& shaders);
+
+    // From now on it shows this. The coarse picture takes about `seconds` of the device.
+    void start(const Shot& shot, double seconds);
+    void setTone(const ToneMapping& toneMapping);
+
+    // One submission of about `seconds`; false where nothing is left to do.
+    bool advance(double seconds);
+
+    // Every pixel of the window shows something of the shot.
+    bool isWhole() const { return coarse.isWhole(); }
+
+    // Writes the columns [first, end) of the screen. Once in a frame.
+    void record(vulkan::Commands& commands, const Screen& screen, std::uint32_t first, std::uint32_t end);
+
+    const std::string& traversal() const { return name; }
+    const Plate& finePlate() const { return fine; }
+    const Plate& coarsePlate() const { return coarse; }
+
+    // A pixel of the window is one of the picture.
+    bool isAtFullSize() const { return fine.size() == screenSize; }
+
+  private:
+    vulkan::ComputePipeline& presenting();
+
+    const vulkan::Device& device;
+    std::string name;
+    glm::uvec2 screenSize;
+    glm::uvec2 fineSize;
+    Plate coarse;
+    Plate fine;
+    // Of the path tracer's pictures, and of the views', from their first use on.
+    std::optional<vulkan::ComputePipeline> presentPath;
+    std::optional<vulkan::ComputePipeline> presentView;
+    bool isView = false;
+    double secondsPerPixel = 0.0; // of the coarse picture, when it was last whole; 0: never yet
+};
+
+} // namespace metamarch::viewer

@@ -1,0 +1,242 @@
+#define GLFW_INCLUDE_NONE
+#include "viewer/controls.h"
+
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+constexpr float kTurnPerPixel = 0.006f;   // radians
+constexpr float kClickSlack = 3.0f;       // pixels that a hand may slip while it clicks
+constexpr float kSplitReach = 6.0f;       // pixels beside the line between two sides
+constexpr float kZoomPerClick = 0.87f;    // what is left of the distance
+constexpr float kFlightPerSecond = 0.35f; // of the scene's diagonal
+constexpr double kLongestStep = 0.1;      // seconds: a frame that took longer moves no further
+constexpr double kFovPerKey = 1.05;
+constexpr float kStopsPerKey = 0.25f;
+
+constexpr KeyHelp kHelp[] = {
+    {"left drag", "orbit"},
+    {"right drag", "look around"},
+    {"middle or Shift+left drag", "pan"},
+    {"wheel", "zoom to the cursor"},
+    {"W A S D, Q E", "fly; Shift: faster"},
+    {"left click", "pick a triangle"},
+    {"Ctrl+click", "focus there, with a lens"},
+    {"Alt+click, M", "march the ray there, step by step"},
+    {"Home, F", "frame all, or what is picked"},
+    {"N", "the file's next camera"},
+    {"C", "print the camera's options, and copy them"},
+    {"V, Shift+V", "next view, the one before"},
+    {"H", "heat map of steps, and back"},
+    {"T", "next traversal"},
+    {"X", "split: two traversals side by side"},
+    {", .", "field of view"},
+    {"- =", "exposure"},
+    {"P", "screenshot (PNG)"},
+    {"Ctrl+S", "save the film (EXR)"},
+    {"R", "read the file again"},
+    {"Tab", "panels"},
+    {"Ctrl+Q", "quit"},
+};
+
+// The middle of what there is, for a cursor over nothing.
+glm::vec3 pointUnder(const ViewerState& state, const glm::vec2 place) {
+    const Camera camera = state.traced();
+    if (const std::optional<Pick> found = pick(*state.scene, camera, place)) {
+        return found->position;
+    }
+    const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
+    return view.origin + view.dir * glm::length(state.camera.target - state.camera.eye);
+}
+
+float diagonal(const ViewerState& state) {
+    const Bounds& bounds = state.scene->bounds;
+    return bounds.lo.x <= bounds.hi.x ? glm::length(bounds.hi - bounds.lo) : 1.0f;
+}
+
+} // namespace
+
+std::span<const KeyHelp> keyHelp() { return kHelp; }
+
+void Controls::apply(const Input& input, const Window& window, const double seconds, ViewerState& state) {
+    const ImGuiIO& panels = ImGui::GetIO();
+    if (!panels.WantTextInput) {
+        for (const KeyPress& press : input.keys) {
+            applyKey(press, state);
+        }
+    }
+    if (!state.scene) {
+        return;
+    }
+    for (const ButtonChange& change : input.buttons) {
+        if (!panels.WantCaptureMouse || !change.isPressed) {
+            applyButton(change, state);
+        }
+    }
+    const glm::vec2 cursor = window.cursor();
+    drag(cursor, state);
+    if (input.scroll != 0.0f && !panels.WantCaptureMouse) {
+        zoom(state.camera, std::pow(kZoomPerClick, input.scroll), pointUnder(state, cursor));
+    }
+    if (!panels.WantTextInput) {
+        for (const KeyPress& press : input.keys) {
+            if (press.key == GLFW_KEY_M) {
+                state.march = marchThrough(*state.scene, state.traced(), cursor);
+                state.marchStep = 0;
+            }
+        }
+        fly(window, seconds, state);
+    }
+}
+
+void Controls::applyButton(const ButtonChange& change, ViewerState& state) {
+    if (!change.isPressed) {
+        if (dragging != Drag::none && !hasMoved && change.button == GLFW_MOUSE_BUTTON_LEFT) {
+            click(pressedAt, modifiersThen, state);
+        }
+        dragging = Drag::none;
+        return;
+    }
+    pressedAt = last = change.place;
+    hasMoved = false;
+    modifiersThen = change.modifiers;
+    const float line = state.settings.splitAt * static_cast<float>(state.size.x);
+    if (change.button == GLFW_MOUSE_BUTTON_LEFT) {
+        const bool isOnLine = state.hasSplit() && std::abs(change.place.x - line) <= kSplitReach;
+        dragging = isOnLine ? Drag::split : change.modifiers & GLFW_MOD_SHIFT ? Drag::pan : Drag::orbit;
+    } else if (change.button == GLFW_MOUSE_BUTTON_MIDDLE) {
+        dragging = Drag::pan;
+    } else if (change.button == GLFW_MOUSE_BUTTON_RIGHT) {
+        dragging = Drag::look;
+    }
+}
+
+void Controls::drag(const glm::vec2 cursor, ViewerState& state) {
+    const glm::vec2 moved = cursor - std::exchange(last, cursor);
+    hasMoved = hasMoved || glm::length(cursor - pressedAt) > kClickSlack;
+    if (dragging == Drag::none || !hasMoved || moved == glm::vec2(0.0f)) {
+        return;
+    }
+    const glm::vec2 size(state.size);
+    switch (dragging) {
+    case Drag::orbit:
+        orbit(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
+        break;
+    case Drag::look:
+        look(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
+        break;
+    case Drag::pan:
+        pan(state.camera, -moved.x / size.y, moved.y / size.y);
+        break;
+    case Drag::split:
+        state.settings.splitAt = std::clamp(cursor.x / size.x, 0.0f, 1.0f);
+        break;
+    case Drag::none:
+        break;
+    }
+}
+
+void Controls::click(const glm::vec2 place, const int modifiers, ViewerState& state) const {
+    if (modifiers & GLFW_MOD_ALT) {
+        state.march = marchThrough(*state.scene, state.traced(), place);
+        state.marchStep = 0;
+        return;
+    }
+    const std::optional<Pick> found = pick(*state.scene, state.traced(), place);
+    if (!(modifiers & GLFW_MOD_CONTROL)) {
+        state.selected = found;
+    } else if (found) {
+        constexpr float kFirstAperture = 0.01f; // of the distance, where there is no lens yet
+        state.camera.focusDistance = found->depth;
+        if (state.camera.apertureRadius == 0.0f) {
+            state.camera.apertureRadius = kFirstAperture * found->depth;
+        }
+    }
+}
+
+void Controls::applyKey(const KeyPress& press, ViewerState& state) {
+    std::vector<Action>& actions = state.actions;
+    if (press.modifiers & GLFW_MOD_CONTROL) {
+        if (press.key == GLFW_KEY_Q) {
+            actions.push_back(Action::quit);
+        } else if (press.key == GLFW_KEY_S) {
+            actions.push_back(Action::saveExr);
+        }
+        return;
+    }
+    const bool isShifted = (press.modifiers & GLFW_MOD_SHIFT) != 0;
+    switch (press.key) {
+    case GLFW_KEY_HOME:
+        actions.push_back(Action::frameAll);
+        break;
+    case GLFW_KEY_F:
+        actions.push_back(Action::frameSelected);
+        break;
+    case GLFW_KEY_N:
+        actions.push_back(Action::nextCamera);
+        break;
+    case GLFW_KEY_C:
+        actions.push_back(Action::printCamera);
+        break;
+    case GLFW_KEY_P:
+        actions.push_back(Action::saveScreenshot);
+        break;
+    case GLFW_KEY_R:
+        actions.push_back(Action::reload);
+        break;
+    case GLFW_KEY_T:
+        actions.push_back(Action::nextTraversal);
+        break;
+    case GLFW_KEY_V:
+        actions.push_back(isShifted ? Action::previousView : Action::nextView);
+        break;
+    case GLFW_KEY_X:
+        actions.push_back(Action::toggleSplit);
+        break;
+    case GLFW_KEY_TAB:
+        actions.push_back(Action::togglePanels);
+        break;
+    case GLFW_KEY_H:
+        state.settings.view = state.settings.view == kViewSteps ? std::nullopt : std::optional(kViewSteps);
+        break;
+    case GLFW_KEY_COMMA:
+        state.camera.verticalFov = std::max(state.camera.verticalFov / kFovPerKey, 1.0);
+        break;
+    case GLFW_KEY_PERIOD:
+        state.camera.verticalFov = std::min(state.camera.verticalFov * kFovPerKey, 170.0);
+        break;
+    case GLFW_KEY_MINUS:
+        state.settings.tone.exposure -= kStopsPerKey;
+        break;
+    case GLFW_KEY_EQUAL:
+        state.settings.tone.exposure += kStopsPerKey;
+        break;
+    default:
+        break;
+    }
+}
+
+void Controls::fly(const Window& window, const double seconds, ViewerState& state) const {
+    if (window.isHeld(GLFW_KEY_LEFT_CONTROL) || window.isHeld(GLFW_KEY_RIGHT_CONTROL)) {
+        return;
+    }
+    const auto held = [&](const int more, const int less) {
+        return static_cast<float>(int{window.isHeld(more)} - int{window.isHeld(less)});
+    };
+    const glm::vec3 way(held(GLFW_KEY_D, GLFW_KEY_A), held(GLFW_KEY_E, GLFW_KEY_Q),
+                        held(GLFW_KEY_W, GLFW_KEY_S));
+    if (way == glm::vec3(0.0f)) {
+        return;
+    }
+    const float faster = window.isHeld(GLFW_KEY_LEFT_SHIFT) ? 4.0f : 1.0f;
+    const float length =
+        diagonal(state) * kFlightPerSecond * faster * static_cast<float>(std::min(seconds, kLongestStep));
+    viewer::fly(state.camera, way.x * length, way.y * length, way.z * length);
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,61 @@
+#include "viewer/file_watch.h"
+
+#include <system_error>
+
+namespace metamarch::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kInterval{250};
+
+} // namespace
+
+void FileWatch::watch(const std::vector<fs::path>& places) {
+    watched = places;
+    known = look();
+    seen = known;
+}
+
+// A file that is not there, or goes away meanwhile, is not in it.
+FileWatch::State FileWatch::look() const {
+    State state;
+    const auto note = [&](const fs::path& file) {
+        std::error_code error;
+        const fs::file_time_type time = fs::last_write_time(file, error);
+        if (!error) {
+            state[file] = time;
+        }
+    };
+    for (const fs::path& place : watched) {
+        std::error_code error;
+        if (!fs::is_directory(place, error)) {
+            note(place);
+            continue;
+        }
+        for (fs::recursive_directory_iterator at(place, error), end; !error && at != end;
+             at.increment(error)) {
+            note(at->path());
+        }
+    }
+    return state;
+}
+
+bool FileWatch::hasChanged() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - lastLook < kInterval) {
+        return false;
+    }
+    lastLook = now;
+    State current = look();
+    const bool isQuiet = current == seen;
+    seen = std::move(current);
+    // A file that is being replaced is missing for a moment.
+    if (!isQuiet || seen == known || seen.size() < known.size()) {
+        return false;
+    }
+    known = seen;
+    return true;
+}
+
+} // namespace metamarch::viewer

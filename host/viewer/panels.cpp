@@ -1,0 +1,367 @@
+#include "viewer/panels.h"
+
+#include "render/scene_buffers.h"
+#include "render/view_names.h"
+#include "shader_library.h"
+#include "viewer/controls.h"
+#include "vulkan/byte_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <imgui.h>
+#include <string>
+
+namespace metamarch::viewer {
+namespace {
+
+void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
+
+// A list of names; returns the one chosen now, else `current`.
+template <class Names, class NameOf>
+std::string chooseName(const char* const label, const std::string& current, const Names& names,
+                       const NameOf& nameOf) {
+    std::string chosen = current;
+    if (ImGui::BeginCombo(label, current.c_str())) {
+        for (const auto& entry : names) {
+            const std::string name(nameOf(entry));
+            if (ImGui::Selectable(name.c_str(), name == current)) {
+                chosen = name;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    return chosen;
+}
+
+constexpr auto kItself = [](const auto& name) { return name; };
+
+void drawViewChoice(Settings& settings) {
+    const char* const beauty = "picture";
+    const char* const current = settings.view ? render::kViewNames[*settings.view].name.data() : beauty;
+    if (ImGui::BeginCombo("view", current)) {
+        if (ImGui::Selectable(beauty, !settings.view)) {
+            settings.view.reset();
+        }
+        for (const render::ViewName& known : render::kViewNames) {
+            if (ImGui::Selectable(known.name.data(), settings.view == known.view)) {
+                settings.view = known.view;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    if (settings.view && isHeatMap(*settings.view)) {
+        ImGui::SliderFloat("hottest", &settings.heatMax, 1.0f, 512.0f, "%.0f", ImGuiSliderFlags_Logarithmic);
+    }
+}
+
+void drawTraversals(Settings& settings) {
+    settings.traversal = chooseName("traversal", settings.traversal, traversals(), kItself);
+    bool hasRival = !settings.rival.empty();
+    if (ImGui::Checkbox("split", &hasRival)) {
+        settings.rival = hasRival ? "kd_stack" : "";
+    }
+    if (hasRival) {
+        settings.rival = chooseName("right side", settings.rival, traversals(), kItself);
+    }
+}
+
+void drawTone(ToneMapping& tone) {
+    const auto* const current =
+        std::ranges::find(kToneOperators, tone.toneOperator, &ToneOperatorName::toneOperator);
+    const std::string chosen = chooseName("tone map", std::string(current->name), kToneOperators,
+                                          [](const auto& known) { return known.name; });
+    tone.toneOperator = std::ranges::find(kToneOperators, chosen, &ToneOperatorName::name)->toneOperator;
+    ImGui::SliderFloat("exposure", &tone.exposure, -10.0f, 10.0f, "%.2f stops");
+}
+
+void drawLight(LightChoice& light) {
+    using Kind = LightChoice::Kind;
+    constexpr const char* kKinds[] = {"the scene's", "map", "background", "sky"};
+    int kind = static_cast<int>(light.kind);
+    if (ImGui::Combo("light", &kind, kKinds, IM_ARRAYSIZE(kKinds))) {
+        light.kind = static_cast<Kind>(kind);
+        if (light.kind == Kind::map && light.map.empty()) {
+            light.kind = Kind::automatic;
+        }
+    }
+    if (light.map.empty()) {
+        ImGui::TextDisabled("drop a .hdr or .exr map on the window");
+    }
+    if (light.kind == Kind::map) {
+        line(light.map.filename().string());
+        ImGui::SliderAngle("rotation", &light.rotation, -180.0f, 180.0f);
+    }
+    if (light.kind == Kind::background) {
+        ImGui::ColorEdit3("radiance", &light.background.x,
+                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
+    } else {
+        ImGui::SliderFloat("intensity", &light.intensity, 0.01f, 100.0f, "%.2f",
+                           ImGuiSliderFlags_Logarithmic);
+    }
+    if (light.kind == Kind::sky || light.kind == Kind::automatic) {
+        ImGui::SliderAngle("sun's height", &light.sunElevation, -10.0f, 90.0f);
+        ImGui::SliderAngle("sun's azimuth", &light.sunAzimuth, -180.0f, 180.0f);
+    }
+}
+
+void drawRenderer(ViewerState& state) {
+    Settings& settings = state.settings;
+    drawViewChoice(settings);
+    constexpr const char* kIntegrators[] = {"path", "direct", "ao"};
+    settings.path.integrator = chooseName("integrator", settings.path.integrator, kIntegrators, kItself);
+    int bounces = static_cast<int>(settings.path.maxBounces);
+    if (ImGui::SliderInt("bounces", &bounces, 0, 32)) {
+        settings.path.maxBounces = static_cast<std::uint32_t>(bounces);
+    }
+    int samples = static_cast<int>(settings.samples);
+    if (ImGui::InputInt("samples", &samples, 64, 1024, ImGuiInputTextFlags_EnterReturnsTrue)) {
+        settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 1 << 24));
+    }
+    drawTraversals(settings);
+    drawTone(settings.tone);
+    drawLight(settings.light);
+}
+
+void drawCamera(ViewerState& state) {
+    ViewCamera& camera = state.camera;
+    const std::vector<SceneCamera>& cameras = state.scene->whole->cameras;
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const std::string label = fmt::format("{} {}##camera", i, cameras[i].name);
+        if (ImGui::RadioButton(label.c_str(), camera.fileCamera == i)) {
+            camera = ofFile(*state.scene->whole, i, glm::length(camera.target - camera.eye));
+        }
+    }
+    if (!camera.verticalExtent) {
+        auto fov = static_cast<float>(camera.verticalFov);
+        if (ImGui::SliderFloat("field of view", &fov, 1.0f, 170.0f, "%.1f deg")) {
+            camera.verticalFov = static_cast<double>(fov);
+        }
+    }
+    ImGui::Checkbox("panorama", &camera.isPanorama);
+    ImGui::SliderFloat("aperture", &camera.apertureRadius, 0.0f, 1.0f, "%.4f", ImGuiSliderFlags_Logarithmic);
+    if (camera.focusDistance) {
+        line(fmt::format("in focus at {:.4g}", *camera.focusDistance));
+    }
+    if (ImGui::Button("frame all")) {
+        state.actions.push_back(Action::frameAll);
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("print options")) {
+        state.actions.push_back(Action::printCamera);
+    }
+}
+
+void drawStatistics(const ViewerState& state) {
+    const Statistics& now = state.statistics;
+    const LoadedScene& scene = *state.scene;
+    line(now.device);
+    line(fmt::format("{:.1f} frames/s, {} x {}", now.framesPerSecond, state.size.x, state.size.y));
+    if (!state.settings.view) {
+        line(fmt::format("{:.1f} of {} samples a pixel", now.samples, state.settings.samples));
+        line(fmt::format("{:.2f} Mrays/s, {:.2f} Msamples/s", now.raysPerSecond * 1e-6,
+                         now.samplesPerSecond * 1e-6));
+        line(fmt::format("{:.2f} steps and {:.2f} tests a ray", now.stepsPerRay, now.testsPerRay));
+    } else if (now.sideSeconds[0] > 0.0) {
+        line(fmt::format("{:.2f} ms for the picture", now.sideSeconds[0] * 1e3));
+    }
+    line(fmt::format("{} triangles, {} on the device", scene.shown->triangles.size(),
+                     vulkan::byteText(now.deviceBytes)));
+    line(fmt::format("read in {:.2f} s, tree {:.2f} s, table {:.2f} s", scene.importSeconds,
+                     scene.structure->treeSeconds, scene.structure->tableSeconds));
+}
+
+void drawMeshes(ViewerState& state) {
+    const Scene& whole = *state.scene->whole;
+    std::set<std::uint32_t>& hidden = state.settings.hiddenMeshes;
+    for (std::uint32_t i = 0; i < whole.meshes.size(); ++i) {
+        bool isShown = !hidden.contains(i);
+        const std::string label = fmt::format(
+            "{}##mesh{}", whole.meshes[i].name.empty() ? fmt::format("mesh {}", i) : whole.meshes[i].name, i);
+        const bool isPicked = state.selected && state.selected->mesh == i;
+        if (isPicked) {
+            ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.82f, 0.24f, 1.0f});
+        }
+        if (ImGui::Checkbox(label.c_str(), &isShown)) {
+            isShown ? static_cast<void>(hidden.erase(i)) : static_cast<void>(hidden.insert(i));
+        }
+        if (isPicked) {
+            ImGui::PopStyleColor();
+        }
+    }
+}
+
+void drawScene(ViewerState& state) {
+    const Scene& whole = *state.scene->whole;
+    ImportOptions& import = state.settings.import;
+    line(state.file.filename().string());
+    if (!whole.variants.empty()) {
+        const std::string own = "the file's own";
+        std::vector<std::string> names = {own};
+        names.insert(names.end(), whole.variants.begin(), whole.variants.end());
+        const std::string chosen =
+            chooseName("variant", import.variant.empty() ? own : import.variant, names, kItself);
+        import.variant = chosen == own ? "" : chosen;
+    }
+    if (whole.animationSeconds > 0.0) {
+        bool isPosed = import.time.has_value();
+        if (ImGui::Checkbox("pose", &isPosed)) {
+            import.time = isPosed ? std::optional(0.0) : std::nullopt;
+        }
+        auto time = static_cast<float>(import.time.value_or(0.0));
+        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds), "%.2f s")) {
+            import.time = static_cast<double>(time);
+        }
+    }
+    drawMeshes(state);
+}
+
+void drawMaterial(const Material& material) {
+    const auto color = [](const char* const label, const glm::vec3& value) {
+        ImGui::ColorButton(label, {value.x, value.y, value.z, 1.0f}, ImGuiColorEditFlags_NoTooltip);
+        ImGui::SameLine();
+        line(fmt::format("{} {:.3f} {:.3f} {:.3f}", label, value.x, value.y, value.z));
+    };
+    line(material.name.empty() ? "material without a name" : material.name);
+    color("base colour", glm::vec3(material.baseColorFactor));
+    line(fmt::format("metallic {:.2f}, roughness {:.2f}, ior {:.2f}", material.metallicFactor,
+                     material.roughnessFactor, material.ior));
+    if (material.emissiveFactor != glm::vec3(0.0f)) {
+        color("emission", material.emissiveFactor * material.emissiveStrength);
+    }
+    const std::pair<const char*, float> parts[] = {
+        {"transmission", material.transmissionFactor}, {"thickness", material.thicknessFactor},
+        {"clearcoat", material.clearcoatFactor},       {"anisotropy", material.anisotropyStrength},
+        {"iridescence", material.iridescenceFactor},   {"dispersion", material.dispersion}};
+    for (const auto& [name, value] : parts) {
+        if (value != 0.0f) {
+            line(fmt::format("{} {:.3f}", name, value));
+        }
+    }
+    constexpr const char* kAlpha[] = {"opaque", "mask", "blend"};
+    line(fmt::format("alpha: {}{}", kAlpha[static_cast<int>(material.alphaMode)],
+                     material.doubleSided ? ", double sided" : ""));
+    Material copy = material;
+    const auto count = std::ranges::count_if(
+        texturesOf(copy), [](const TextureRef* use) { return use->texture != kNoTexture; });
+    line(fmt::format("{} textures", count));
+}
+
+void drawPicked(const ViewerState& state) {
+    const Pick& picked = *state.selected;
+    const Scene& whole = *state.scene->whole;
+    line(fmt::format("triangle {} of {}", picked.triangleId, whole.meshes[picked.mesh].name));
+    line(fmt::format("at {:.4g} {:.4g} {:.4g}, {:.4g} away", picked.position.x, picked.position.y,
+                     picked.position.z, picked.distance));
+    if (picked.material != kNoMaterial) {
+        drawMaterial(whole.materials[picked.material]);
+    }
+}
+
+void drawMarchLog(ViewerState& state) {
+    const MarchLog& log = state.march->log;
+    const auto count = static_cast<int>(log.steps.size());
+    line(fmt::format(
+        "{} look-ups, {} triangle tests, {}", log.result.steps, log.result.tests,
+        log.result.hit.triangleId == kNoTriangle
+            ? "nothing hit"
+            : fmt::format("triangle {} at {:.4g}", log.result.hit.triangleId, log.steps.back().best.t)));
+    ImGui::SliderInt("step", &state.marchStep, 0, count, state.marchStep == 0 ? "all" : "%d");
+    if (state.marchStep > 0 && state.marchStep <= count) {
+        const MarchStep& step = log.steps[static_cast<std::size_t>(state.marchStep) - 1];
+        const glm::ivec3 size = step.exitBox.hi - step.exitBox.lo;
+        line(fmt::format("cell {} {} {} is of leaf {}", step.cell.x, step.cell.y, step.cell.z, step.leafId));
+        line(fmt::format("{} triangles tested", step.triangleCount));
+        line(fmt::format("exit box of {} x {} x {} cells", size.x, size.y, size.z));
+        line(fmt::format("t {:.5g} to {:.5g}{}", step.tNear, step.tFar, step.isFinal ? ", the last" : ""));
+    }
+    ImGui::TextColored({0.35f, 0.67f, 1.0f, 1.0f}, "empty leaf");
+    ImGui::SameLine();
+    ImGui::TextColored({1.0f, 0.59f, 0.24f, 1.0f}, "leaf with triangles");
+    ImGui::SameLine();
+    ImGui::TextColored({0.47f, 1.0f, 0.55f, 1.0f}, "exit box of the step");
+    if (ImGui::Button("remove")) {
+        state.march.reset();
+    }
+}
+
+void drawHelp() {
+    if (ImGui::BeginTable("keys", 2)) {
+        for (const KeyHelp& help : keyHelp()) {
+            ImGui::TableNextColumn();
+            line(std::string(help.keys));
+            ImGui::TableNextColumn();
+            line(std::string(help.what));
+        }
+        ImGui::EndTable();
+    }
+}
+
+void drawMessages(const ViewerState& state) {
+    for (const std::string& message : state.messages) {
+        ImGui::TextWrapped("%s", message.c_str());
+    }
+}
+
+bool header(const char* const name, const bool isOpen) {
+    return ImGui::CollapsingHeader(name, isOpen ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+void drawShaderError(const ViewerState& state) {
+    const glm::vec2 size(state.size);
+    ImGui::SetNextWindowPos({size.x * 0.3f, size.y * 0.1f}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize({size.x * 0.65f, 0.0f}, ImGuiCond_Appearing);
+    ImGui::Begin("Shader error: the old shader goes on");
+    ImGui::PushStyleColor(ImGuiCol_Text, {1.0f, 0.45f, 0.4f, 1.0f});
+    ImGui::TextWrapped("%s", state.shaderError.c_str());
+    ImGui::PopStyleColor();
+    ImGui::End();
+}
+
+} // namespace
+
+void drawPanels(ViewerState& state) {
+    if (!state.shaderError.empty()) {
+        drawShaderError(state);
+    }
+    if (!state.settings.hasPanels) {
+        return;
+    }
+    const float text = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({0.6f * text, 0.6f * text}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({27.0f * text, 0.0f}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({18.0f * text, 0.0f},
+                                        {60.0f * text, static_cast<float>(state.size.y) - 1.2f * text});
+    ImGui::Begin("metamarch");
+    ImGui::PushItemWidth(15.0f * text);
+    if (header("Renderer", true)) {
+        drawRenderer(state);
+    }
+    if (state.scene) {
+        if (header("Statistics", true)) {
+            drawStatistics(state);
+        }
+        if (header("Camera", false)) {
+            drawCamera(state);
+        }
+        if (header("Scene", false)) {
+            drawScene(state);
+        }
+        if (state.selected && header("Picked triangle", true)) {
+            drawPicked(state);
+        }
+        if (state.march && header("March of a ray", true)) {
+            drawMarchLog(state);
+        }
+    }
+    if (header("Keys", false)) {
+        drawHelp();
+    }
+    if (!state.messages.empty() && header("Messages", true)) {
+        drawMessages(state);
+    }
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+} // namespace metamarch::viewer

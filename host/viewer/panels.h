@@ -1,0 +1,10 @@
+// The panels over the picture.
+#pragma once
+#include "viewer/viewer_state.h"
+
+namespace metamarch::viewer {
+
+// Within a frame of Dear ImGui.
+void drawPanels(ViewerState& state);
+
+} // namespace metamarch::viewer

@@ -1,0 +1,72 @@
+#include "viewer/picture_saver.h"
+
+#include "error.h"
+#include "image/film_image.h"
+#include "image/image_file.h"
+#include "image/picture_header.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+std::string freeName(const std::string& stem, const std::string& ending) {
+    for (int number = 1;; ++number) {
+        const std::string name = fmt::format("{}_{:03}{}", stem, number, ending);
+        if (!std::filesystem::exists(name)) {
+            return name;
+        }
+    }
+}
+
+// The light that becomes this byte of a PNG, and no other.
+float lightOf(const std::uint32_t byte) {
+    const double coded = byte / 255.0;
+    return static_cast<float>(coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4));
+}
+
+Image imageOf(const std::vector<std::uint32_t>& packed, const glm::uvec2 size) {
+    Image image(static_cast<int>(size.x), static_cast<int>(size.y), {"R", "G", "B"});
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        for (unsigned channel = 0; channel < 3; ++channel) {
+            image.pixels[3 * i + channel] = lightOf((packed[i] >> (8 * channel)) & 255u);
+        }
+    }
+    return image;
+}
+
+} // namespace
+
+PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedDevice)
+    : software(std::move(usedSoftware)), device(usedDevice) {}
+
+std::string PictureSaver::save(const Plate& plate, const Shot& shot, const ViewerState& state,
+                               const std::string& ending) const {
+    const std::string name = freeName(state.file.stem().string(), ending);
+    if (shot.view) {
+        if (ending != ".png") {
+            throw Error(ExitCode::badArguments,
+                        "a view has no film to save: choose the picture, or a screenshot");
+        }
+        writeImage(imageOf(plate.viewPixels(), plate.size()), name);
+        return "saved " + name;
+    }
+    const auto samples = static_cast<std::uint32_t>(plate.samples());
+    Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y));
+    addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
+    addHeader(image,
+              {software, device.name(), device.report().driverInfo, state.settings.traversal,
+               state.settings.path.integrator, state.file.string(), plate.seconds()},
+              shot.camera);
+    if (ending == ".png") {
+        makeOpaque(image);
+    }
+    writeImage(image, name, state.settings.tone);
+    return fmt::format("saved {}, {} samples a pixel", name, samples);
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,26 @@
+// Pictures from the window to files, by the code that writes those of `metamarch render`.
+#pragma once
+#include "viewer/plate.h"
+#include "viewer/viewer_state.h"
+#include "vulkan/device.h"
+
+#include <string>
+
+namespace metamarch::viewer {
+
+class PictureSaver {
+  public:
+    PictureSaver(std::string software, const vulkan::Device& device);
+
+    // ".png": what is seen, without panels; ".exr": the path tracer's film with all its channels. Into the
+    // current folder, under the scene's name and the next free number. Returns a line for the user. Throws
+    // Error(outputNotWritable), and Error(badArguments) for an EXR of a view.
+    std::string save(const Plate& plate, const Shot& shot, const ViewerState& state,
+                     const std::string& ending) const;
+
+  private:
+    std::string software;
+    const vulkan::Device& device;
+};
+
+} // namespace metamarch::viewer

@@ -1,0 +1,230 @@
+#include "viewer/presenter.h"
+
+#include "vulkan/refusal.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_vulkan.h>
+#include <imgui.h>
+#include <limits>
+
+namespace metamarch::viewer {
+namespace {
+
+using Access = vk::AccessFlagBits;
+using Layout = vk::ImageLayout;
+using Stage = vk::PipelineStageFlagBits;
+
+constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+
+// Keeps the picture that has been copied into the image, and leaves the image as a window takes it.
+vk::raii::RenderPass makeRenderPass(const vulkan::Device& device, const vk::Format format) {
+    const vk::AttachmentDescription color({}, format, vk::SampleCountFlagBits::e1,
+                                          vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eStore,
+                                          vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
+                                          Layout::eTransferDstOptimal, Layout::ePresentSrcKHR);
+    const vk::AttachmentReference reference(0, Layout::eColorAttachmentOptimal);
+    const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, reference);
+    const vk::SubpassDependency afterCopy(VK_SUBPASS_EXTERNAL, 0, Stage::eTransfer,
+                                          Stage::eColorAttachmentOutput, Access::eTransferWrite,
+                                          Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
+    return {device.handle(), vk::RenderPassCreateInfo({}, color, subpass, afterCopy)};
+}
+
+vk::raii::CommandBuffer makeCommandBuffer(const vulkan::Device& device) {
+    vk::raii::CommandBuffers buffers(device.handle(),
+                                     {*device.commandPool(), vk::CommandBufferLevel::ePrimary, 1});
+    return std::move(buffers.front());
+}
+
+} // namespace
+
+Presenter::Presenter(const vulkan::Context& usedContext, const vulkan::Device& usedDevice, Window& usedWindow)
+    : context(usedContext), device(usedDevice), window(usedWindow),
+      surface(usedWindow.makeSurface(usedContext.instance())),
+      acquired(usedDevice.handle(), vk::SemaphoreCreateInfo()),
+      done(usedDevice.handle(), vk::FenceCreateInfo()), commandBuffer(makeCommandBuffer(usedDevice)) {
+    makeChain();
+    if (!chain) {
+        throw Error(ExitCode::noDevice, "the window has no size");
+    }
+    startPanels();
+}
+
+Presenter::~Presenter() {
+    try {
+        device.handle().waitIdle(); // presentation has no fence
+    } catch (const vk::SystemError&) {
+        // The device is lost: there is nothing to wait for.
+    }
+    ImGui_ImplVulkan_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+// Leaves the old one where the window has no size.
+void Presenter::makeChain() {
+    const glm::uvec2 size = window.pixels();
+    if (size.x == 0) {
+        return;
+    }
+    waitForFrame();
+    device.handle().waitIdle();
+    framebuffers.clear();
+    drawn.clear();
+    std::optional<Swapchain> next;
+    try {
+        next.emplace(device, surface, size, chain ? &*chain : nullptr);
+    } catch (const vk::SurfaceLostKHRError&) {
+        chain.reset();
+        surface = nullptr;
+        surface = window.makeSurface(context.instance());
+        next.emplace(device, surface, size, nullptr);
+    }
+    chain = std::move(next);
+    if (!*renderPass) {
+        renderPass = makeRenderPass(device, chain->format());
+    }
+    for (std::uint32_t i = 0; i < chain->count(); ++i) {
+        const vk::ImageView view = chain->view(i);
+        framebuffers.emplace_back(
+            device.handle(),
+            vk::FramebufferCreateInfo({}, *renderPass, view, chain->size().x, chain->size().y, 1));
+        drawn.emplace_back(device.handle(), vk::SemaphoreCreateInfo());
+    }
+    const std::uint64_t bytes = std::uint64_t{chain->size().x} * chain->size().y * 4;
+    if (!screen || screen->size() != bytes) {
+        screen.emplace(device, vulkan::BufferUse::storage, bytes, "screen");
+    }
+    isOutdated = false;
+}
+
+void Presenter::waitForFrame() {
+    if (isInFlight) {
+        isInFlight = false;
+        if (device.handle().waitForFences(*done, VK_TRUE, kForever) != vk::Result::eSuccess) {
+            throw Error(ExitCode::noDevice, device.name() + ": device lost");
+        }
+    }
+}
+
+void Presenter::startPanels() {
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr; // nothing is written that was not asked for
+    ImGui::StyleColorsDark();
+    ImGui::GetStyle().WindowRounding = 4.0f;
+    ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.88f;
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), true); // calls the window's own callbacks, too
+
+    const vk::DescriptorPoolSize sizes(vk::DescriptorType::eCombinedImageSampler, 1);
+    panelPool = {device.handle(), vk::DescriptorPoolCreateInfo(
+                                      vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
+    ImGui_ImplVulkan_InitInfo info{};
+    info.Instance = *context.instance();
+    info.PhysicalDevice = *device.physicalDevice();
+    info.Device = *device.handle();
+    info.QueueFamily = device.report().computeQueueFamily.value();
+    info.Queue = *device.queue();
+    info.DescriptorPool = *panelPool;
+    info.MinImageCount = 2;
+    info.ImageCount = chain->count();
+    info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
+    ImGui_ImplVulkan_Init(&info, *renderPass);
+
+    commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    ImGui_ImplVulkan_CreateFontsTexture(*commandBuffer);
+    commandBuffer.end();
+    device.queue().submit(vk::SubmitInfo({}, {}, *commandBuffer));
+    device.queue().waitIdle();
+    ImGui_ImplVulkan_DestroyFontUploadObjects();
+}
+
+bool Presenter::beginFrame() {
+    const glm::uvec2 size = window.pixels();
+    if (size.x == 0) {
+        return false;
+    }
+    if (isOutdated || !chain || size != chain->size()) {
+        makeChain();
+    }
+    // Monitors differ in how large they show a pixel.
+    const float scale = window.contentScale();
+    if (scale != textScale) {
+        ImGui::GetStyle().ScaleAllSizes(textScale == 0.0f ? scale : scale / textScale);
+        ImGui::GetIO().FontGlobalScale = scale;
+        textScale = scale;
+    }
+    ImGui_ImplVulkan_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    return true;
+}
+
+// Nothing where the chain no longer fits the window.
+std::optional<std::uint32_t> Presenter::acquire() {
+    try {
+        const auto [result, image] = chain->handle().acquireNextImage(kForever, *acquired, nullptr);
+        isOutdated = result == vk::Result::eSuboptimalKHR;
+        return image;
+    } catch (const vk::OutOfDateKHRError&) {
+        isOutdated = true;
+    } catch (const vk::SurfaceLostKHRError&) {
+        isOutdated = true;
+    }
+    return std::nullopt;
+}
+
+void Presenter::endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint) {
+    ImGui::Render();
+    try {
+        waitForFrame();
+        const std::optional<std::uint32_t> image = acquire();
+        if (!image) {
+            return; // the next frame makes another chain
+        }
+        record(paint, *image);
+        device.handle().resetFences(*done);
+        const vk::PipelineStageFlags waitStage = Stage::eTransfer;
+        device.queue().submit(vk::SubmitInfo(*acquired, waitStage, *commandBuffer, *drawn[*image]), *done);
+        isInFlight = true;
+        const vk::Result shown =
+            device.queue().presentKHR(vk::PresentInfoKHR(*drawn[*image], *chain->handle(), *image));
+        isOutdated = isOutdated || shown == vk::Result::eSuboptimalKHR;
+    } catch (const vk::OutOfDateKHRError&) {
+        isOutdated = true;
+    } catch (const vk::SurfaceLostKHRError&) {
+        isOutdated = true;
+    } catch (const vk::SystemError& error) {
+        throw vulkan::refusalOf(error, fmt::format("{}: cannot show a picture", device.name()));
+    }
+}
+
+void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&)>& paint,
+                       const std::uint32_t image) {
+    const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+    commandBuffer.reset();
+    commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    vulkan::Commands commands(device, commandBuffer);
+    paint(commands, {chain->size(), *screen, chain->isBlueFirst()});
+
+    const vk::MemoryBarrier painted(Access::eShaderWrite, Access::eTransferRead);
+    const vk::ImageMemoryBarrier toCopy({}, Access::eTransferWrite, Layout::eUndefined,
+                                        Layout::eTransferDstOptimal, VK_QUEUE_FAMILY_IGNORED,
+                                        VK_QUEUE_FAMILY_IGNORED, chain->image(image), whole);
+    commandBuffer.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eTransfer, {}, painted, {},
+                                  toCopy);
+    const vk::Extent3D extent(chain->size().x, chain->size().y, 1);
+    commandBuffer.copyBufferToImage(
+        screen->handle(), chain->image(image), Layout::eTransferDstOptimal,
+        vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {0, 0, 0}, extent));
+    commandBuffer.beginRenderPass(vk::RenderPassBeginInfo(*renderPass, *framebuffers[image],
+                                                          {{0, 0}, {chain->size().x, chain->size().y}}),
+                                  vk::SubpassContents::eInline);
+    ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), *commandBuffer);
+    commandBuffer.endRenderPass();
+    commandBuffer.end();
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,121 @@
+#include "viewer/scene_loader.h"
+
+#include "error.h"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+class Timer {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+
+std::shared_ptr<const Scene> withoutMeshes(const std::shared_ptr<const Scene>& whole,
+                                           const std::set<std::uint32_t>& hidden) {
+    if (hidden.empty()) {
+        return whole;
+    }
+    auto shown = std::make_shared<Scene>(*whole);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < whole->triangles.size(); ++i) {
+        if (!hidden.contains(whole->triangleMesh[i])) {
+            shown->triangles[kept] = whole->triangles[i];
+            shown->triangleMesh[kept] = whole->triangleMesh[i];
+            shown->triangleMaterial[kept] = whole->triangleMaterial[i];
+            ++kept;
+        }
+    }
+    shown->triangles.resize(kept);
+    shown->triangleMesh.resize(kept);
+    shown->triangleMaterial.resize(kept);
+    return shown;
+}
+
+bool sameFile(const SceneRequest& a, const SceneRequest& b) {
+    return a.file == b.file && a.import == b.import && a.reading == b.reading;
+}
+
+} // namespace
+
+SceneLoader::SceneLoader() : thread([this](const std::stop_token& stop) { run(stop); }) {}
+
+SceneLoader::~SceneLoader() = default;
+
+void SceneLoader::ask(SceneRequest request) {
+    {
+        const std::lock_guard lock(mutex);
+        waiting = std::move(request);
+    }
+    wake.notify_one();
+}
+
+bool SceneLoader::isBusy() const {
+    const std::lock_guard lock(mutex);
+    return waiting || isWorking || ready;
+}
+
+std::optional<SceneLoader::Answer> SceneLoader::take() {
+    const std::lock_guard lock(mutex);
+    return std::exchange(ready, std::nullopt);
+}
+
+void SceneLoader::run(const std::stop_token& stop) {
+    std::unique_lock lock(mutex);
+    while (wake.wait(lock, stop, [&] { return waiting.has_value(); })) {
+        const SceneRequest request = std::move(*waiting);
+        waiting.reset();
+        isWorking = true;
+        lock.unlock();
+        Answer made = answer(request);
+        lock.lock();
+        isWorking = false;
+        if (!waiting) {
+            ready = std::move(made);
+        }
+    }
+}
+
+SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
+    try {
+        auto loaded = std::make_shared<LoadedScene>();
+        loaded->request = request;
+        const bool isRead = last && sameFile(last->request, request);
+        const Timer import;
+        loaded->whole =
+            isRead ? last->whole : std::make_shared<const Scene>(loadScene(request.file, request.import));
+        loaded->importSeconds = isRead ? last->importSeconds : import.seconds();
+        loaded->bounds = isRead ? last->bounds : boundsOf(*loaded->whole);
+        loaded->warnings = loaded->whole->warnings;
+
+        const bool isBuilt = isRead && last->request.hiddenMeshes == request.hiddenMeshes;
+        const Timer build;
+        loaded->shown = isBuilt ? last->shown : withoutMeshes(loaded->whole, request.hiddenMeshes);
+        loaded->structure = isBuilt ? last->structure
+                                    : std::make_shared<const AccelerationStructure>(
+                                          buildAccelerationStructure(*loaded->shown, request.structure));
+        loaded->buildSeconds = isBuilt ? last->buildSeconds : build.seconds();
+
+        const Timer light;
+        LitScene lit = lightScene(*loaded->shown, request.file.string(), request.path, request.light);
+        loaded->shading = std::move(lit.shading);
+        loaded->warnings.insert(loaded->warnings.end(), lit.warnings.begin(), lit.warnings.end());
+        loaded->shadingSeconds = light.seconds();
+        last = loaded;
+        return {loaded, "", 0};
+    } catch (const Error& error) {
+        return {nullptr, error.what(), static_cast<int>(error.code)};
+    } catch (const std::bad_alloc&) {
+        return {nullptr, request.file.string() + ": out of memory", static_cast<int>(ExitCode::outOfMemory)};
+    }
+}
+
+} // namespace metamarch::viewer

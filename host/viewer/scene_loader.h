@@ -1,0 +1,76 @@
+// Scenes read and built by a thread of their own, so that the window goes on meanwhile.
+#pragma once
+#include "accel/acceleration_structure.h"
+#include "scene/import.h"
+#include "scene/lit_scene.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace metamarch::viewer {
+
+struct SceneRequest {
+    std::filesystem::path file;
+    ImportOptions import;
+    AccelerationOptions structure;
+    LightChoice light;
+    PathChoice path;
+    std::set<std::uint32_t> hiddenMeshes; // of Scene::meshes
+    std::uint32_t reading = 0;            // another number reads files anew
+};
+
+struct LoadedScene {
+    SceneRequest request;
+    std::shared_ptr<const Scene> whole;
+    std::shared_ptr<const Scene> shown;                     // without the triangles of hidden meshes
+    std::shared_ptr<const AccelerationStructure> structure; // over `shown`
+    ShadingScene shading;                                   // of `shown`
+    Bounds bounds;                                          // of `whole`
+    std::vector<std::string> warnings;
+    double importSeconds = 0.0; // of each part, when it was last made
+    double buildSeconds = 0.0;
+    double shadingSeconds = 0.0;
+};
+
+class SceneLoader {
+  public:
+    SceneLoader();
+    ~SceneLoader(); // waits for the work under way
+    SceneLoader(const SceneLoader&) = delete;
+    SceneLoader& operator=(const SceneLoader&) = delete;
+
+    // Of several requests only the last is answered. What it shares with the scene that was loaded last is
+    // kept: a change of light reads no file and builds no tree.
+    void ask(SceneRequest request);
+    bool isBusy() const;
+
+    // The answer, once: a scene, or the line that says why there is none.
+    struct Answer {
+        std::shared_ptr<const LoadedScene> scene;
+        std::string refusal;
+        int exitCode = 0; // of the refusal
+    };
+    std::optional<Answer> take();
+
+  private:
+    void run(const std::stop_token& stop);
+    Answer answer(const SceneRequest& request);
+
+    mutable std::mutex mutex;
+    std::condition_variable_any wake;
+    std::optional<SceneRequest> waiting;
+    std::optional<Answer> ready;
+    bool isWorking = false;
+    std::shared_ptr<const LoadedScene> last; // the thread's own
+    std::jthread thread;                     // last: it uses the others
+};
+
+} // namespace metamarch::viewer

@@ -1,0 +1,89 @@
+#include "viewer/shader_compiler.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <iterator>
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+constexpr int kGlslVersion = 460;
+
+// Includes are relative to the folder, as with glslangValidator -I.
+class Includer : public glslang::TShader::Includer {
+  public:
+    explicit Includer(const std::filesystem::path& folder) : root(folder) {}
+
+    IncludeResult* includeLocal(const char* const name, const char*, std::size_t) override {
+        const std::filesystem::path path = root / name;
+        std::ifstream file(path, std::ios::binary);
+        if (!file) {
+            return nullptr;
+        }
+        auto* const text = new std::string(std::istreambuf_iterator<char>(file), {});
+        return new IncludeResult(name, text->data(), text->size(), text);
+    }
+
+    void releaseInclude(IncludeResult* const result) override {
+        if (result != nullptr) {
+            delete static_cast<std::string*>(result->userData);
+            delete result;
+        }
+    }
+
+  private:
+    const std::filesystem::path& root;
+};
+
+// What the build writes for each program: shaders/CMakeLists.txt.
+std::string stub(const std::string& kernel, const std::string& traversal, const Memory memory) {
+    const std::string include =
+        traversal.empty() ? "" : fmt::format("#include \"traversal/{}.glsl\"\n", traversal);
+    return fmt::format("#version {}\n"
+                       "#extension GL_GOOGLE_include_directive : require\n"
+                       "#define METAMARCH_TEXEL_BUFFERS {}\n"
+                       "{}#include \"kernels/{}.glsl\"\n",
+                       kGlslVersion, memory == Memory::texel ? 1 : 0, include, kernel);
+}
+
+} // namespace
+
+ShaderCompiler::ShaderCompiler(std::filesystem::path folder) : root(std::move(folder)) {
+    glslang::InitializeProcess();
+}
+
+ShaderCompiler::~ShaderCompiler() { glslang::FinalizeProcess(); }
+
+ShaderCompiler::Result ShaderCompiler::compile(const std::string& kernel, const std::string& traversal,
+                                               const Memory memory) const {
+    const std::string text = stub(kernel, traversal, memory);
+    const std::string name = traversal.empty() ? kernel : kernel + "." + traversal;
+    const char* const source = text.c_str();
+    const auto length = static_cast<int>(text.size());
+    const char* const label = name.c_str();
+    glslang::TShader shader(EShLangCompute);
+    shader.setStringsWithLengthsAndNames(&source, &length, &label, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, kGlslVersion);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_2);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_5);
+    Includer includer(root);
+    const auto rules = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+    if (!shader.parse(GetDefaultResources(), kGlslVersion, false, rules, includer)) {
+        return {{}, shader.getInfoLog()};
+    }
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(rules)) {
+        return {{}, program.getInfoLog()};
+    }
+    Result result;
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), result.spirv);
+    return result;
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,21 @@
+#include "viewer/viewer_state.h"
+
+#include <fmt/format.h>
+
+namespace metamarch::viewer {
+
+void ViewerState::say(const std::string& line) {
+    constexpr std::size_t kMostMessages = 8;
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+    messages.push_back(line);
+    if (messages.size() > kMostMessages) {
+        messages.pop_front();
+    }
+}
+
+Camera ViewerState::traced() const {
+    return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,139 @@
+#define GLFW_INCLUDE_NONE
+#include "viewer/window.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <GLFW/glfw3.h>
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+std::string lastError() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text == nullptr ? "no reason given" : text;
+}
+
+Window& windowOf(GLFWwindow* const window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+} // namespace
+
+WindowSystem::WindowSystem() {
+    if (glfwInit() != GLFW_TRUE) {
+        throw Error(
+            ExitCode::noDevice,
+            fmt::format("no display to open a window on ({}); `metamarch render` needs none", lastError()));
+    }
+    if (glfwVulkanSupported() != GLFW_TRUE) {
+        glfwTerminate();
+        throw Error(ExitCode::noDevice, "this display cannot show what Vulkan draws: no Vulkan loader or no "
+                                        "surface extension; `metamarch render` needs none");
+    }
+}
+
+WindowSystem::~WindowSystem() { glfwTerminate(); }
+
+std::vector<const char*> WindowSystem::instanceExtensions() const {
+    uint32_t count = 0;
+    const char** const names = glfwGetRequiredInstanceExtensions(&count);
+    return {names, names + count};
+}
+
+Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& firstTitle)
+    : title(firstTitle) {
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    window =
+        glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y), title.c_str(), nullptr, nullptr);
+    if (window == nullptr) {
+        throw Error(ExitCode::noDevice, fmt::format("no window ({})", lastError()));
+    }
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window,
+                       [](GLFWwindow* const at, const int key, int, const int action, const int modifiers) {
+                           if (action != GLFW_RELEASE) {
+                               windowOf(at).input.keys.push_back({key, modifiers});
+                           }
+                       });
+    glfwSetMouseButtonCallback(
+        window, [](GLFWwindow* const at, const int button, const int action, const int modifiers) {
+            Window& self = windowOf(at);
+            self.input.buttons.push_back({button, modifiers, action == GLFW_PRESS, self.cursor()});
+        });
+    glfwSetScrollCallback(window, [](GLFWwindow* const at, double, const double clicks) {
+        windowOf(at).input.scroll += static_cast<float>(clicks);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* const at, const int count, const char** const paths) {
+        windowOf(at).input.dropped.assign(paths, paths + count);
+    });
+}
+
+Window::~Window() { glfwDestroyWindow(window); }
+
+vk::raii::SurfaceKHR Window::makeSurface(const vk::raii::Instance& instance) const {
+    VkSurfaceKHR surface = VK_NULL_HANDLE;
+    if (glfwCreateWindowSurface(*instance, window, nullptr, &surface) != VK_SUCCESS) {
+        throw Error(ExitCode::noDevice, fmt::format("no surface for the window ({})", lastError()));
+    }
+    return {instance, surface};
+}
+
+Input Window::poll(const double seconds) {
+    if (seconds > 0.0) {
+        glfwWaitEventsTimeout(seconds);
+    } else {
+        glfwPollEvents();
+    }
+    return std::exchange(input, {});
+}
+
+bool Window::isClosing() const { return glfwWindowShouldClose(window) == GLFW_TRUE; }
+
+void Window::close() { glfwSetWindowShouldClose(window, GLFW_TRUE); }
+
+glm::uvec2 Window::pixels() const {
+    int width = 0;
+    int height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    return width > 0 && height > 0 ? glm::uvec2(width, height) : glm::uvec2(0);
+}
+
+float Window::contentScale() const {
+    float scale = 1.0f;
+    glfwGetWindowContentScale(window, &scale, nullptr);
+    return scale > 0.0f ? scale : 1.0f;
+}
+
+glm::vec2 Window::cursor() const {
+    double x = 0.0;
+    double y = 0.0;
+    glfwGetCursorPos(window, &x, &y);
+    return toPixels(x, y);
+}
+
+// A window may count in other units than its picture has pixels.
+glm::vec2 Window::toPixels(const double x, const double y) const {
+    int width = 1;
+    int height = 1;
+    glfwGetWindowSize(window, &width, &height);
+    const glm::uvec2 size = pixels();
+    return {static_cast<float>(x * size.x / std::max(width, 1)),
+            static_cast<float>(y * size.y / std::max(height, 1))};
+}
+
+bool Window::isHeld(const int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }
+
+bool Window::isButtonHeld(const int button) const { return glfwGetMouseButton(window, button) == GLFW_PRESS; }
+
+void Window::setTitle(const std::string& wanted) {
+    if (wanted != title) {
+        title = wanted;
+        glfwSetWindowTitle(window, title.c_str());
+    }
+}
+
+void Window::copy(const std::string& text) { glfwSetClipboardString(window, text.c_str()); }
+
+} // namespace metamarch::viewer
