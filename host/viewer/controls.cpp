@@ -96,6 +96,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
 
 void Controls::applyButton(const ButtonChange& change, ViewerState& state) {
     if (!change.isPressed) {
+        drag(change.place, state);
         if (dragging != Drag::none && !hasMoved && change.button == GLFW_MOUSE_BUTTON_LEFT) {
             click(pressedAt, modifiersThen, state);
         }

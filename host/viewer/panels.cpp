@@ -329,10 +329,9 @@ void drawPanels(ViewerState& state) {
     }
     const float text = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({0.6f * text, 0.6f * text}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({27.0f * text, 0.0f}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({18.0f * text, 0.0f},
+    ImGui::SetNextWindowSizeConstraints({27.0f * text, 0.0f},
                                         {60.0f * text, static_cast<float>(state.size.y) - 1.2f * text});
-    ImGui::Begin("metamarch");
+    ImGui::Begin("metamarch", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PushItemWidth(15.0f * text);
     if (header("Renderer", true)) {
         drawRenderer(state);

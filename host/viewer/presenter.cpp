@@ -70,7 +70,7 @@ void Presenter::makeChain() {
     if (size.x == 0) {
         return;
     }
-    waitForFrame();
+    wait();
     device.handle().waitIdle();
     framebuffers.clear();
     drawn.clear();
@@ -101,7 +101,7 @@ void Presenter::makeChain() {
     isOutdated = false;
 }
 
-void Presenter::waitForFrame() {
+void Presenter::wait() {
     if (isInFlight) {
         isInFlight = false;
         if (device.handle().waitForFences(*done, VK_TRUE, kForever) != vk::Result::eSuccess) {
@@ -179,7 +179,7 @@ std::optional<std::uint32_t> Presenter::acquire() {
 void Presenter::endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint) {
     ImGui::Render();
     try {
-        waitForFrame();
+        wait();
         const std::optional<std::uint32_t> image = acquire();
         if (!image) {
             return; // the next frame makes another chain
@@ -209,7 +209,7 @@ void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&
     vulkan::Commands commands(device, commandBuffer);
     paint(commands, {chain->size(), *screen, chain->isBlueFirst()});
 
-    const vk::MemoryBarrier painted(Access::eShaderWrite, Access::eTransferRead);
+    const vk::MemoryBarrier painted(Access::eShaderWrite | Access::eTransferWrite, Access::eTransferRead);
     const vk::ImageMemoryBarrier toCopy({}, Access::eTransferWrite, Layout::eUndefined,
                                         Layout::eTransferDstOptimal, VK_QUEUE_FAMILY_IGNORED,
                                         VK_QUEUE_FAMILY_IGNORED, chain->image(image), whole);

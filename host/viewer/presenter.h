@@ -33,14 +33,13 @@ class Presenter {
     // Ends it: `paint` writes the screen's pixels, the panels come on top. Waits for the frame before.
     void endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint);
 
-    glm::uvec2 size() const { return chain ? chain->size() : glm::uvec2(0); }
+    // Until the last frame has been drawn: before what it was painted with goes away.
+    void wait();
 
-    // Of the picture under the panels, as the window shows it: for tests and the curious.
-    const vulkan::Buffer& pixels() const { return *screen; }
+    glm::uvec2 size() const { return chain ? chain->size() : glm::uvec2(0); }
 
   private:
     void makeChain();
-    void waitForFrame();
     void startPanels();
     void record(const std::function<void(vulkan::Commands&, const Screen&)>& paint, std::uint32_t image);
     std::optional<std::uint32_t> acquire();

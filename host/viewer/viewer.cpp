@@ -59,6 +59,10 @@ class Viewer {
         askForScene();
     }
 
+    ~Viewer() { dropCanvases(); }
+    Viewer(const Viewer&) = delete;
+    Viewer& operator=(const Viewer&) = delete;
+
     void run() {
         Clock::time_point last = Clock::now();
         while (!window.isClosing()) {
@@ -133,7 +137,7 @@ class Viewer {
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
         auto next = std::make_unique<Stage>(device, loaded);
-        canvases.clear();
+        dropCanvases();
         stage = std::move(next);
         if (isOther || state.scene->whole != loaded->whole) {
             for (const std::string& warning : loaded->warnings) {
@@ -195,7 +199,7 @@ class Viewer {
             state.say(error.empty() ? "shaders compiled anew"
                                     : "shader error: " + error.substr(0, error.find('\n')));
             if (error.empty()) {
-                canvases.clear();
+                dropCanvases();
                 isStale = true;
             }
         }
@@ -366,8 +370,13 @@ class Viewer {
                                   [](const auto& canvas) { return canvas->traversal(); });
     }
 
-    void makeCanvases() {
+    void dropCanvases() {
+        presenter.wait();
         canvases.clear();
+    }
+
+    void makeCanvases() {
+        dropCanvases();
         canvasSize = state.size;
         try {
             for (const std::string& name : traversals()) {
@@ -376,7 +385,7 @@ class Viewer {
             }
         } catch (const Error& error) {
             state.say(error.what());
-            canvases.clear();
+            dropCanvases();
         }
     }
 
@@ -427,7 +436,7 @@ class Viewer {
             state.say(error.what());
             state.settings.traversal = std::string(metamarch::traversals().front());
             state.settings.rival.clear();
-            canvases.clear();
+            dropCanvases();
             return false;
         }
     }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <utility>
 
 namespace metamarch::viewer {
@@ -62,6 +63,9 @@ Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& fi
             Window& self = windowOf(at);
             self.input.buttons.push_back({button, modifiers, action == GLFW_PRESS, self.cursor()});
         });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* const at, const double x, const double y) {
+        windowOf(at).cursorPlace = {x, y};
+    });
     glfwSetScrollCallback(window, [](GLFWwindow* const at, double, const double clicks) {
         windowOf(at).input.scroll += static_cast<float>(clicks);
     });
@@ -106,21 +110,14 @@ float Window::contentScale() const {
     return scale > 0.0f ? scale : 1.0f;
 }
 
-glm::vec2 Window::cursor() const {
-    double x = 0.0;
-    double y = 0.0;
-    glfwGetCursorPos(window, &x, &y);
-    return toPixels(x, y);
-}
-
 // A window may count in other units than its picture has pixels.
-glm::vec2 Window::toPixels(const double x, const double y) const {
+glm::vec2 Window::cursor() const {
     int width = 1;
     int height = 1;
     glfwGetWindowSize(window, &width, &height);
     const glm::uvec2 size = pixels();
-    return {static_cast<float>(x * size.x / std::max(width, 1)),
-            static_cast<float>(y * size.y / std::max(height, 1))};
+    return {static_cast<float>(cursorPlace.x * size.x / std::max(width, 1)),
+            static_cast<float>(cursorPlace.y * size.y / std::max(height, 1))};
 }
 
 bool Window::isHeld(const int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }

@@ -71,11 +71,12 @@ class Window {
     GLFWwindow* handle() const { return window; }
 
   private:
-    glm::vec2 toPixels(double x, double y) const;
-
     GLFWwindow* window;
     std::string title;
     Input input;
+    // Where the cursor was when the last of `input` happened, in the window's own units: the pointer may be
+    // far ahead of events that have waited for a slow frame.
+    glm::dvec2 cursorPlace{0.0};
 };
 
 } // namespace metamarch::viewer
