@@ -35,14 +35,13 @@ SHARED_FN vec3 neutralTone(const vec3 color) {
     const float desaturation = 0.15f;
     const float least = smallest(color);
     // Less where little light can have been reflected; both meet at 0.08 with the same slope.
-    const float offset = least < 2.0f * reflected ? least - least * least / (4.0f * reflected) : reflected;
+    const float offset = least < 0.08f ? least - least * least / 0.16f : reflected;
     const vec3 base = color - vec3(offset);
     const float peak = largest(base);
     if (peak < compressionStart) {
         return base;
     }
-    const float room = 1.0f - compressionStart;
-    const float newPeak = 1.0f - room * room / (peak + room - compressionStart);
+    const float newPeak = 1.0f - 0.0576f / (peak - 0.52f); // 0.24, the room to 1, squared
     const float whiteness = 1.0f - 1.0f / (desaturation * (peak - newPeak) + 1.0f);
     return blend3(base * (newPeak / peak), vec3(newPeak), whiteness);
 }
@@ -67,13 +66,13 @@ SHARED_FN float powerOf(const float x, const float exponent) {
 
 SHARED_FN vec3 agxTone(const vec3 color) {
     const float darkest = -12.47393f; // stops
-    const float lightest = 4.026069f;
+    const float range = 16.499999f;   // to the lightest, 4.026069
     const vec3 inset = max(mixedChannels(color, vec3(0.842479062f, 0.0784336f, 0.0792237451f),
                                          vec3(0.0423282422f, 0.878468636f, 0.0791661275f),
                                          vec3(0.0423756549f, 0.0784336f, 0.879142974f)),
                            vec3(1e-10f));
     const vec3 stops = vec3(log2Of(inset.x), log2Of(inset.y), log2Of(inset.z));
-    const vec3 x = clampedColor((stops - vec3(darkest)) / (lightest - darkest));
+    const vec3 x = clampedColor((stops - vec3(darkest)) / range);
     const vec3 x2 = x * x;
     const vec3 x4 = x2 * x2;
     const vec3 contrast = x4 * x2 * 15.5f - x4 * x * 40.14f + x4 * 31.96f - x2 * x * 6.868f + x2 * 0.4298f +

@@ -1,0 +1,233 @@
+// What a window shows: films that grow in small pieces, the bytes made of them, pictures laid over each
+// other. The device against the same functions on the CPU, to the bit.
+#include "fixtures/vulkan_environment.h"
+#include "image/tone_mapping.h"
+#include "path/path_scene.h"
+#include "render/kernel.h"
+#include "render/path_renderer.h"
+#include "render/path_tracer.h"
+#include "render/resolver.h"
+#include "scene/shading.h"
+#include "shader_library.h"
+#include "shared/packed_pixel.h"
+#include "shared/primary.h"
+#include "shared/screen.h"
+#include "vulkan/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+namespace metamarch::tests {
+namespace {
+
+const std::string kDefaultTraversal(traversals().front());
+
+// A lamp over a floor, with a ball between them, in a picture whose sides are no multiples of a tile's.
+class GrowingFilm : public testing::Test {
+  protected:
+    static constexpr std::uint32_t kWidth = 51;
+    static constexpr std::uint32_t kHeight = 38;
+
+    GrowingFilm()
+        : made(room()), structure(buildAccelerationStructure(made.scene, {})), shading(shadingOf(made)),
+          primary(makeShadingData(made.scene)), buffers(vulkan::testDevice(), structure, primary),
+          shadingBuffers(vulkan::testDevice(), shading), settings(settingsOf(shading, {})),
+          camera(makeCamera(made.view, kWidth, kHeight, made.camera)) {}
+
+    static PathScene room() {
+        PathScene scene;
+        addQuad(scene.scene, {-2.0f, 0.0f, 2.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -4.0f},
+                addMaterial(scene.scene, lambert({0.7f, 0.6f, 0.5f})));
+        addBall(scene.scene, {0.0f, 0.6f, 0.0f}, 0.6f,
+                addMaterial(scene.scene, metal({0.9f, 0.7f, 0.3f}, 0.3f)));
+        addPointLight(scene.scene, {1.5f, 3.0f, 1.0f}, 20.0f);
+        scene.surroundings.background = glm::vec3(0.2f);
+        scene.view = lookAt({0.5f, 1.5f, 4.0f}, {0.0f, 0.5f, 0.0f}, {0.0f, 1.0f, 0.0f});
+        return scene;
+    }
+
+    std::vector<FilmPixel> atOnce(const Camera& seen, const std::uint32_t samples) const {
+        return render::renderPaths(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal, settings,
+                                   seen, samples, [](double) {})
+            .film;
+    }
+
+    render::PathTracer tracer() const {
+        return {vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
+                render::Tiling(camera).count};
+    }
+
+    std::vector<FilmPixel> filmOf(const render::PathTracer& from) const {
+        std::vector<FilmPixel> film(std::size_t{from.camera().width} * from.camera().height);
+        from.download(film);
+        return film;
+    }
+
+    static void expectSame(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>& b) {
+        ASSERT_EQ(a.size(), b.size());
+        EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(FilmPixel)), 0);
+    }
+
+    PathScene made;
+    AccelerationStructure structure;
+    ShadingScene shading;
+    ShadingData primary;
+    render::SceneBuffers buffers;
+    render::ShadingBuffers shadingBuffers;
+    PathSettings settings;
+    Camera camera;
+};
+
+// Seconds that no submission is as short as: one tile of one sample at a time.
+constexpr double kSmallest = 1e-9;
+
+TEST_F(GrowingFilm, isTheSameInAnyPieces) {
+    constexpr std::uint32_t kSamples = 7;
+    render::PathTracer small = tracer();
+    small.start(camera, settings, {0, render::Tiling(camera).count});
+    while (small.samples() < kSamples) {
+        small.advance(kSamples, 2, kSmallest);
+    }
+    EXPECT_EQ(small.samples(), kSamples);
+    expectSame(filmOf(small), atOnce(camera, kSamples));
+}
+
+TEST_F(GrowingFilm, leavesNoPixelFarBehind) {
+    render::PathTracer small = tracer();
+    small.start(camera, settings, {0, render::Tiling(camera).count});
+    for (int i = 0; i < 50; ++i) {
+        const double before = small.meanSamples();
+        const render::TileRange changed = small.advance(100, 1, kSmallest);
+        EXPECT_GT(changed.count(), 0u);
+        EXPECT_GE(small.meanSamples(), before);
+        for (const FilmPixel& pixel : filmOf(small)) {
+            ASSERT_GE(pixel.samples, small.samples());
+            ASSERT_LE(pixel.samples, small.samples() + 1);
+        }
+    }
+}
+
+TEST_F(GrowingFilm, beginsAnewWithAnotherCamera) {
+    render::PathTracer one = tracer();
+    one.start(camera, settings, {0, render::Tiling(camera).count});
+    one.advance(3, 1, kSmallest); // and not to its end
+    one.advance(3, 1, kSmallest);
+    const SceneCamera above = lookAt({0.0f, 4.0f, 0.5f}, {0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f});
+    const Camera smaller = makeCamera(above, kWidth / 3, kHeight / 3, {});
+    one.start(smaller, settings, {0, render::Tiling(smaller).count});
+    EXPECT_EQ(one.samples(), 0u);
+    EXPECT_EQ(one.meanSamples(), 0.0);
+    while (one.samples() < 3) {
+        one.advance(3, render::PathTracer::kSamplesAtOnce, render::WorkSize::kTargetSeconds);
+    }
+    expectSame(filmOf(one), atOnce(smaller, 3));
+}
+
+TEST_F(GrowingFilm, countsItsWork) {
+    render::PathTracer one = tracer();
+    one.start(camera, settings, {0, render::Tiling(camera).count});
+    while (one.samples() < 5) {
+        one.advance(5, 2, kSmallest);
+    }
+    double rays = 0.0;
+    double steps = 0.0;
+    double tests = 0.0;
+    for (const FilmPixel& pixel : filmOf(one)) {
+        rays += pixel.rays + pixel.shadowRays;
+        steps += pixel.steps;
+        tests += pixel.tests;
+    }
+    EXPECT_EQ(one.counters().rays, rays);
+    EXPECT_EQ(one.counters().steps, steps);
+    EXPECT_EQ(one.counters().tests, tests);
+    EXPECT_EQ(one.counters().samples, 5.0 * render::Tiling(camera).count * kTilePixels);
+}
+
+TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
+    render::PathTracer one = tracer();
+    const render::TileRange all{0, render::Tiling(camera).count};
+    one.start(camera, settings, all);
+    one.advance(1, 1, kSmallest); // most pixels have none yet
+    const render::Resolver resolver(vulkan::testDevice(), one.film(), kWidth * kHeight);
+    for (int samples = 1; samples < 4; ++samples) {
+        const std::vector<FilmPixel> film = filmOf(one);
+        for (const ToneOperatorName& known : kToneOperators) {
+            const ToneMapping tone{known.toneOperator, 0.5f * static_cast<float>(samples)};
+            vulkan::Submission(vulkan::testDevice()).run([&](vulkan::Commands& commands) {
+                resolver.resolve(commands, all, {kWidth, kHeight}, tone);
+            });
+            const auto shown = vulkan::download<std::uint32_t>(vulkan::testDevice(), resolver.picture());
+            for (std::size_t i = 0; i < film.size(); ++i) {
+                const std::uint32_t expected =
+                    film[i].samples == 0 ? 0u : packedLinear(toneMapped(tone, meanRadiance(film[i])));
+                ASSERT_EQ(shown[i], expected) << known.name << ", pixel " << i;
+            }
+        }
+        while (one.samples() < static_cast<std::uint32_t>(samples)) {
+            one.advance(100, 1, render::WorkSize::kTargetSeconds);
+        }
+    }
+}
+
+class Presented : public testing::TestWithParam<PresentPush> {};
+
+TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
+    const PresentPush push = GetParam();
+    std::mt19937 random(11);
+    const auto picture = [&](const std::uint32_t width, const std::uint32_t height, const bool hasHoles) {
+        std::vector<std::uint32_t> pixels(std::size_t{width} * height);
+        for (std::uint32_t& pixel : pixels) {
+            const auto color = static_cast<std::uint32_t>(random());
+            pixel = hasHoles && random() % 3 == 0 ? 0u : color | 0xff000000u;
+        }
+        return pixels;
+    };
+    const auto fine = picture(push.fineWidth, push.fineHeight, true);
+    const auto coarse = picture(push.coarseWidth, push.coarseHeight, false);
+    constexpr std::uint32_t kBefore = 0x12345678u;
+    const std::vector<std::uint32_t> before(std::size_t{push.width} * push.height, kBefore);
+
+    const vulkan::Device& device = vulkan::testDevice();
+    const vulkan::Buffer fineBuffer = vulkan::upload(device, std::span(fine), "fine");
+    const vulkan::Buffer coarseBuffer = vulkan::upload(device, std::span(coarse), "coarse");
+    const vulkan::Buffer screen = vulkan::upload(device, std::span(before), "screen");
+    vulkan::ComputePipeline kernel = render::makeKernel(
+        device, "present",
+        {.storageBindings = {kBindInput, kBindCoarse, kBindOutput}, .pushConstantSize = sizeof(PresentPush)});
+    kernel.bind(kBindInput, fineBuffer);
+    kernel.bind(kBindCoarse, coarseBuffer);
+    kernel.bind(kBindOutput, screen);
+    const std::uint32_t columns = push.endColumn - push.firstColumn;
+    vulkan::Submission(device).run([&](vulkan::Commands& commands) {
+        commands.dispatch(kernel, {(columns + kScreenTile - 1) / kScreenTile, push.height, 1}, push);
+    });
+
+    const auto shown = vulkan::download<std::uint32_t>(device, screen);
+    for (std::uint32_t y = 0; y < push.height; ++y) {
+        for (std::uint32_t x = 0; x < push.width; ++x) {
+            const std::uint32_t over =
+                fine[y * push.fineHeight / push.height * push.fineWidth + x * push.fineWidth / push.width];
+            const std::uint32_t under = coarse[y * push.coarseHeight / push.height * push.coarseWidth +
+                                               x * push.coarseWidth / push.width];
+            const std::uint32_t seen = over == 0u ? under : over;
+            const std::uint32_t ordered =
+                push.isBlueFirst == 0u
+                    ? seen
+                    : (seen & 0xff00ff00u) | ((seen & 0xffu) << 16u) | ((seen >> 16u) & 0xffu);
+            const bool isWritten = x >= push.firstColumn && x < push.endColumn;
+            ASSERT_EQ(shown[y * push.width + x], isWritten ? ordered : kBefore) << x << ", " << y;
+        }
+    }
+}
+
+// The whole window at its own size; parts of it, as two sides are; a film smaller than the window.
+INSTANTIATE_TEST_SUITE_P(Screen, Presented,
+                         testing::Values(PresentPush{130, 21, 0, 130, 130, 21, 65, 11, 0},
+                                         PresentPush{130, 21, 0, 57, 130, 21, 9, 2, 1},
+                                         PresentPush{130, 21, 57, 130, 130, 21, 9, 2, 1},
+                                         PresentPush{101, 67, 0, 101, 51, 34, 7, 5, 1}));
+
+} // namespace
+} // namespace metamarch::tests
