@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace metamarch::viewer {
@@ -55,7 +56,9 @@ class Viewer {
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
         state.statistics.device = fmt::format("{} ({})", device.name(), device.report().driverInfo);
-        render::requireTraversal(device.report(), state.settings.traversal);
+        for (const std::string& traversal : traversals()) {
+            render::requireTraversal(device.report(), traversal);
+        }
         askForScene();
     }
 
@@ -149,29 +152,28 @@ class Viewer {
             state.selected.reset();
             state.march.reset();
         }
-        const bool isFirst = !state.scene;
-        state.scene = std::move(loaded);
-        state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
         if (isOther) {
             state.size = presenter.size();
-            state.camera = isFirst ? options.chooseCamera(*state.scene->whole, aspect()) : firstCamera();
+            state.camera =
+                state.scene ? firstCamera(*loaded) : options.chooseCamera(*loaded->whole, aspect());
         }
+        state.scene = std::move(loaded);
+        state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
         isStale = true;
     }
 
     // Of a scene that was dropped on the window.
-    ViewCamera firstCamera() const {
-        const Scene& scene = *state.scene->whole;
-        return scene.cameras.empty() ? framing(state.scene->bounds, aspect(), ViewCamera().verticalFov)
-                                     : ofFile(scene, 0, distanceOfScene(scene.cameras[0].eye));
+    ViewCamera firstCamera(const LoadedScene& scene) const {
+        const std::vector<SceneCamera>& cameras = scene.whole->cameras;
+        return cameras.empty() ? framing(scene.bounds, aspect(), ViewCamera().verticalFov)
+                               : ofFile(*scene.whole, 0, distanceTo(scene, cameras[0].eye));
     }
 
     float aspect() const { return static_cast<float>(state.size.x) / static_cast<float>(state.size.y); }
 
-    float distanceOfScene(const glm::vec3& eye) const {
-        const glm::vec3 middle = 0.5f * (state.scene->bounds.lo + state.scene->bounds.hi);
-        const float distance = glm::length(middle - eye);
-        return distance > 0.0f ? distance : 1.0f;
+    static float distanceTo(const LoadedScene& scene, const glm::vec3& eye) {
+        const float distance = glm::length(0.5f * (scene.bounds.lo + scene.bounds.hi) - eye);
+        return std::isfinite(distance) && distance > 0.0f ? distance : 1.0f;
     }
 
     void takeDropped(const Input& input) {
@@ -290,7 +292,7 @@ class Viewer {
         }
         const std::size_t next =
             state.camera.fileCamera ? (*state.camera.fileCamera + 1) % cameras.size() : 0;
-        state.camera = ofFile(*state.scene->whole, next, distanceOfScene(cameras[next].eye));
+        state.camera = ofFile(*state.scene->whole, next, distanceTo(*state.scene, cameras[next].eye));
         state.say(fmt::format("camera {} '{}'", next, cameras[next].name));
     }
 
