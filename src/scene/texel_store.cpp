@@ -1,38 +1,14 @@
 #include "scene/texel_store.h"
 
 #include "error.h"
-#include "shared/texture.h"
+#include "scene/texel_words.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 
 namespace metamarch {
 namespace {
-
-bool isDeep(const TextureImage& image) { return image.bytes.empty(); }
-
-std::vector<std::uint32_t> wordsOf(const TextureImage& image) {
-    std::vector<std::uint32_t> words;
-    if (isDeep(image)) {
-        words.reserve(image.floats.size() * 2);
-        for (const glm::vec4& texel : image.floats) {
-            constexpr float kLargestHalf = 65504.0f;
-            const glm::vec4 bounded = glm::clamp(texel, glm::vec4(-kLargestHalf), glm::vec4(kLargestHalf));
-            words.push_back(glm::packHalf2x16({bounded.r, bounded.g}));
-            words.push_back(glm::packHalf2x16({bounded.b, bounded.a}));
-        }
-        return words;
-    }
-    words.reserve(image.bytes.size());
-    for (const glm::u8vec4 texel : image.bytes) {
-        words.push_back(texel.r | static_cast<std::uint32_t>(texel.g) << 8u |
-                        static_cast<std::uint32_t>(texel.b) << 16u |
-                        static_cast<std::uint32_t>(texel.a) << 24u);
-    }
-    return words;
-}
 
 std::uint32_t wrapBits(const TextureWrap wrap) {
     switch (wrap) {
@@ -100,18 +76,12 @@ glm::vec4 TexelStore::meanOf(const TextureRef& ref) const {
         return glm::vec4(1.0f);
     }
     const TextureImage& image = scene.images[scene.textures[ref.texture].image];
-    const auto linear = [&](const glm::vec4 texel) {
-        return ref.isSrgb ? glm::vec4(srgbToLinear(glm::vec3(texel)), texel.a) : texel;
-    };
+    const std::size_t count = std::max(image.bytes.size(), image.floats.size());
     glm::dvec4 sum(0.0);
-    for (const glm::u8vec4 texel : image.bytes) {
-        sum += linear(glm::vec4(texel) / 255.0f);
+    for (std::size_t i = 0; i < count; ++i) {
+        sum += linearTexel(image, i, ref.isSrgb);
     }
-    for (const glm::vec4& texel : image.floats) {
-        sum += linear(texel);
-    }
-    return glm::vec4(sum /
-                     static_cast<double>(std::max<std::size_t>(image.bytes.size() + image.floats.size(), 1)));
+    return glm::vec4(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
 } // namespace metamarch
