@@ -24,8 +24,8 @@ SHARED_FN RayCone cameraCone(const Camera camera, const vec3 dir) {
         const float sine = sqrt(max(1.0f - up * up, 0.0f));
         return RayCone(0.0f, sqrt(kMapArea * sine / pixels));
     }
-    // The steps lead half across the picture. A pixel has its area at unit distance along `forward`; aside
-    // it is cosine times farther for each axis, and leans once.
+    // The steps lead half across the picture. A pixel has `angle` at unit depth; aside that lies farther away
+    // by 1 / cosine, and leans by it.
     const float area = 4.0f * abs(dotProduct(crossProduct(camera.eyeRight, camera.eyeDown), camera.forward));
     const float angle = 4.0f * abs(dotProduct(crossProduct(camera.dirRight, camera.dirDown), camera.forward));
     const float cosine = max(dotProduct(dir, camera.forward), 0.0f);
@@ -42,12 +42,14 @@ SHARED_FN RayCone scatteredCone(const RayCone cone, const float width, const flo
     return RayCone(width, sqrt(cone.spread * cone.spread + kScatteredPart / pdf));
 }
 
-// The area that a cone of this width cuts out of the triangle's plane, of twice the triangle's. Of sample
-// number `index`, from 0, of a pixel: the samples up to it share the cone. So the first alone has no noise of
-// textures, and what many add up to is as sharp as without levels.
+// The area that a cone of this width cuts out of the triangle's plane, of twice the triangle's, for sample
+// number `index`, from 0, of a pixel. The more samples went before, the less is left for levels to smooth:
+// the side falls with the power 3/4 of their number, as the error of stratified samples does. So the first
+// sample has the least noise, and many are as sharp as without levels.
 SHARED_FN float seenPart(const TriangleRecord triangle, const vec3 dir, const float width, const uint index) {
     const float across = abs(dotProduct(scaledNormal(triangle.v0, triangle.v1, triangle.v2), dir));
-    return width * width / (across * float(index + 1u));
+    const float count = float(index + 1u);
+    return width * width / (across * (count * sqrt(count)));
 }
 
 SHARED_END

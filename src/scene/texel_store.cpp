@@ -33,8 +33,8 @@ bool isBetweenLevels(const TextureFilter filter) {
     return filter == TextureFilter::nearestMipmapLinear || filter == TextureFilter::linearMipmapLinear;
 }
 
-TextureLevel levelOf(const std::uint32_t width, const std::uint32_t height, const TexelPlace place,
-                     const bool isSrgb, const bool isDeep) {
+TextureLevel makeLevel(const std::uint32_t width, const std::uint32_t height, const TexelPlace place,
+                       const bool isSrgb, const bool isDeep) {
     return {place.firstWord, width, height,
             (isSrgb ? kTexelsSrgb : 0u) | (isDeep ? kTexelsDeep : 0u) | place.chunk << kTexelsChunkShift};
 }
@@ -91,7 +91,7 @@ std::uint32_t TexelStore::add(const TextureRef& ref, const ColorWeight weight) {
     const TextureImage& image = scene.images[texture.image];
     const auto id = static_cast<std::uint32_t>(target.textures.size());
     TextureRecord record{};
-    record.level = levelOf(image.width, image.height, placeOf(texture.image), ref.isSrgb, isDeep(image));
+    record.level = makeLevel(image.width, image.height, placeOf(texture.image), ref.isSrgb, isDeep(image));
     record.use.rowU = {ref.transform[0][0], ref.transform[1][0], ref.transform[2][0]};
     record.use.rowV = {ref.transform[0][1], ref.transform[1][1], ref.transform[2][1]};
     record.use.unitLevel = unitLevelOf(image, ref.transform);
@@ -137,7 +137,7 @@ std::vector<TextureLevel> TexelStore::placeLevels(const Pyramid& pyramid) {
         const TexelPlace inPyramid{0, static_cast<std::uint32_t>(words.size())};
         // Halves have room for linear light.
         levels.push_back(
-            levelOf(level.width, level.height, inPyramid, isSrgb && !isDeep(image), isDeep(image)));
+            makeLevel(level.width, level.height, inPyramid, isSrgb && !isDeep(image), isDeep(image)));
         const std::vector<std::uint32_t> texels = isDeep(image) ? halvesOf(level) : bytesOf(level, isSrgb);
         words.insert(words.end(), texels.begin(), texels.end());
     }

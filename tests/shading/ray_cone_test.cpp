@@ -90,9 +90,9 @@ TEST(RayCone, cutsAnAreaOutOfATriangle) {
     const vec3 straight(0.0f, 0.0f, -1.0f);
     EXPECT_FLOAT_EQ(seenPart(triangle, straight, 0.5f, 0), 0.25f / 12.0f);
     EXPECT_FLOAT_EQ(seenPart(triangle, -straight, 0.5f, 0), 0.25f / 12.0f);
-    // Leaning: as much larger as the cosine is smaller. The fourth sample stands for a quarter.
+    // Leaning: as much larger as the cosine is smaller. The side falls with the samples' number to 3/4.
     EXPECT_FLOAT_EQ(seenPart(triangle, vec3(0.8f, 0.0f, -0.6f), 0.5f, 0), 0.25f / 12.0f / 0.6f);
-    EXPECT_FLOAT_EQ(seenPart(triangle, straight, 0.5f, 3), 0.25f / 12.0f / 4.0f);
+    EXPECT_FLOAT_EQ(seenPart(triangle, straight, 0.5f, 3), 0.25f / 12.0f / 8.0f);
 }
 
 } // namespace
