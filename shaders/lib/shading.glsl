@@ -82,11 +82,15 @@ MaterialRecord loadMaterial(const uint i) {
                           textures3.w, textures4.x, textures4.y, 0u, 0u);
 }
 
-TextureRecord loadTexture(const uint i) {
-    const uvec4 size = LOAD4(textureWords, 3u * i);
+TextureLevel loadTextureLevel(const uint i) {
+    const uvec4 words = LOAD4(textureWords, 3u * i);
+    return TextureLevel(words.x, words.y, words.z, words.w);
+}
+
+TextureUse loadTextureUse(const uint i) {
     const vec4 u = uintBitsToFloat(LOAD4(textureWords, 3u * i + 1u));
-    const vec4 v = uintBitsToFloat(LOAD4(textureWords, 3u * i + 2u));
-    return TextureRecord(size.x, size.y, size.z, size.w, u.xyz, 0u, v.xyz, 0u);
+    const uvec4 v = LOAD4(textureWords, 3u * i + 2u);
+    return TextureUse(u.xyz, u.w, uintBitsToFloat(v.xyz), v.w);
 }
 
 uint loadTexel(const uint chunk, const uint word) {

@@ -30,7 +30,8 @@ const uint kFeatureLights = 65536u;       // something that light sampling can f
 const uint kFeatureEnvironment = 131072u; // a map, and not only a constant colour
 const uint kFeatureFacets =
     262144u; // the base reflects or refracts, or there is sheen: all but diffuse scenes
-const uint kAllFeatures = 524287u;
+const uint kFeatureMipmaps = 524288u; // textures whose filter asks how large a texel is seen
+const uint kAllFeatures = 1048575u;
 
 #ifndef SHADING_FEATURES
 #define SHADING_FEATURES kAllFeatures

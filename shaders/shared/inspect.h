@@ -71,7 +71,7 @@ SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Came
         return packedPixel(uvColor(firstPlace(SCENE surface, weights)));
     }
     const MaterialRecord record = loadMaterial(SCENE surface.material);
-    const TexturePoint at = texturePoint(SCENE surface, weights);
+    const TexturePoint at = finestPoint(SCENE surface, weights);
     if (push.view == kViewAlbedo) {
         return packedLinear(baseColorOf(SCENE record, vertexColor(SCENE surface, weights), at));
     }

@@ -8,16 +8,47 @@ SHARED_BEGIN
 
 SHARED_FN vec3 xyz(const vec4 v) { return vec3(v.x, v.y, v.z); }
 
-SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const vec3 weights) {
+// log2 of the side of a square as large as `part` of the triangle's area in texture coordinates, kept to what
+// logarithm() takes.
+const float kLeastSeen = 1.0e-30f;
+const float kMostSeen = 1.0e30f;
+SHARED_FN float levelOf(const vec2 a, const vec2 b, const vec2 c, const float part) {
+    const vec2 e1 = b - a;
+    const vec2 e2 = c - a;
+    const float seen = abs(e1.x * e2.y - e1.y * e2.x) * part;
+    // By comparisons: of NaN none holds, which drivers' min and max do not promise.
+    const float bounded = seen > kLeastSeen ? (seen < kMostSeen ? seen : kMostSeen) : kLeastSeen;
+    return logarithm(bounded) * 0.721347520444f; // 1 / (2 ln 2)
+}
+
+// `part`: the area to be seen at once, of twice the triangle's; 0 for a point. `uLevel`: TexturePoint's.
+SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const vec3 weights,
+                                    const float part, const float uLevel) {
     if (!hasFeature(SCENE kFeatureTextures)) {
-        return TexturePoint(vec2(0.0f), vec2(0.0f));
+        return TexturePoint(vec2(0.0f), vec2(0.0f), kFinestLevel, kFinestLevel, 0.0f);
     }
     const Vertex a = loadVertex(SCENE surface.vertex0);
     const Vertex b = loadVertex(SCENE surface.vertex1);
     const Vertex c = loadVertex(SCENE surface.vertex2);
-    return TexturePoint(
-        vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z,
-        vec2(a.u1, a.v1) * weights.x + vec2(b.u1, b.v1) * weights.y + vec2(c.u1, c.v1) * weights.z);
+    const vec2 a0 = vec2(a.u0, a.v0);
+    const vec2 b0 = vec2(b.u0, b.v0);
+    const vec2 c0 = vec2(c.u0, c.v0);
+    const vec2 a1 = vec2(a.u1, a.v1);
+    const vec2 b1 = vec2(b.u1, b.v1);
+    const vec2 c1 = vec2(c.u1, c.v1);
+    float level0 = kFinestLevel;
+    float level1 = kFinestLevel;
+    if (hasFeature(SCENE kFeatureMipmaps) && part > 0.0f) {
+        level0 = levelOf(a0, b0, c0, part);
+        level1 = levelOf(a1, b1, c1, part);
+    }
+    return TexturePoint(a0 * weights.x + b0 * weights.y + c0 * weights.z,
+                        a1 * weights.x + b1 * weights.y + c1 * weights.z, level0, level1, uLevel);
+}
+
+// Where what is there, and what shines, is looked up for rays that have no width: in full size.
+SHARED_FN TexturePoint finestPoint(SCENE_PARAMETER const Surface surface, const vec3 weights) {
+    return texturePoint(SCENE surface, weights, 0.0f, 0.0f);
 }
 
 SHARED_FN vec4 vertexColor(SCENE_PARAMETER const Surface surface, const vec3 weights) {

@@ -6,7 +6,7 @@
 #ifndef METAMARCH_SHARED_PATH_H
 #define METAMARCH_SHARED_PATH_H
 #include "shared/bsdf.h"
-#include "shared/camera.h"
+#include "shared/ray_cone.h"
 #include "shared/scene_light.h"
 #include "shared/sobol.h"
 
@@ -31,6 +31,7 @@ struct Path {
     uint channel;    // that a dispersive volume has chosen; kNoChannel: none yet
     vec3 absorption; // of the volume that the path is in, per world unit
     bool isAlive;
+    RayCone cone; // with kFeatureMipmaps
 };
 const uint kNoChannel = 3u;
 
@@ -51,15 +52,15 @@ struct PathStep {
     vec3 shadingNormal;
 };
 
-SHARED_FN Path startPath(const vec3 origin, const vec3 dir) {
-    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, vec3(0.0f), true);
+SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone) {
+    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, vec3(0.0f), true, cone);
 }
 
 // The path of one sample of the pixel.
 SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const PixelSample at) {
     const CameraRay view =
         sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
-    return startPath(view.origin, view.dir);
+    return startPath(view.origin, view.dir, cameraCone(camera, view.dir));
 }
 
 // The weight of light that the BSDF's direction found with density `own` and light sampling finds with
@@ -90,7 +91,7 @@ SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord trian
     const Surface surface = loadSurface(SCENE triangle.triangleId);
     const MaterialRecord record = loadMaterial(SCENE surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
-    const float part = coverage(SCENE record, surface, weights, texturePoint(SCENE surface, weights));
+    const float part = coverage(SCENE record, surface, weights, finestPoint(SCENE surface, weights));
     return part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part;
 }
 
@@ -139,9 +140,9 @@ SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, co
 
 SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f)); }
 
-// The path after the surface, in the direction that the BSDF draws.
+// The path after the surface, in the direction that the BSDF draws; `width`: of its cone, there.
 SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf bsdf,
-                       const SurfacePoint point, const PixelSample at) {
+                       const SurfacePoint point, const float width, const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
                                         sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
     const float radianceScale = path.radianceScale * drawn.radianceScale;
@@ -162,6 +163,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf 
     next.radianceScale = radianceScale;
     next.bounce = path.bounce + 1u;
     next.isAlive = kept > 0.0f && survives;
+    next.cone = scatteredCone(path.cone, width, next.pdf);
     if (hasFeature(kFeatureVolume)) {
         const bool isCrossed =
             (drawn.flags & kSampleTransmitted) != 0u && (record.flags & kSurfaceVolume) != 0u;
@@ -179,7 +181,10 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     const MaterialRecord record = loadMaterial(SCENE surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
     const SurfacePoint point = makeSurfacePoint(triangle, weights);
-    const TexturePoint uv = texturePoint(SCENE surface, weights);
+    const float width = widthAt(arriving.cone, t);
+    const TexturePoint uv =
+        texturePoint(SCENE surface, weights, seenPart(triangle, arriving.dir, width, sampleIndex(at)),
+                     sample1d(at, bounceDimension(arriving.bounce, kBounceLevel)));
     const vec3 wo = -arriving.dir;
 
     Path path = chooseChannel(arriving, record, at);
@@ -214,7 +219,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         shadow = sampleLights(SCENE settings, path, bsdf, point, at);
         shadow.isNeeded = shadow.isNeeded && !isLast;
     }
-    Path next = scatter(path, record, bsdf, point, at);
+    Path next = scatter(path, record, bsdf, point, width, at);
     next.isAlive = next.isAlive && !isLast;
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);

@@ -132,7 +132,7 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
     vec3 radiance = material.emission;
     if (hasFeature(SCENE kFeatureTextures | kFeatureAlpha)) {
         const Surface surface = loadSurface(SCENE emitter.triangleId);
-        const TexturePoint at = texturePoint(SCENE surface, weights);
+        const TexturePoint at = finestPoint(SCENE surface, weights);
         const vec4 texel = lookUp(SCENE material.emissionTexture, at);
         radiance =
             radiance * vec3(texel.x, texel.y, texel.z) * coverage(SCENE material, surface, weights, at);

@@ -119,22 +119,37 @@ const uint kTextureWrapTShift = 2u;
 const uint kWrapRepeat = 0u;
 const uint kWrapMirror = 1u;
 const uint kWrapClamp = 2u;
-const uint kTextureNearest = 16u;
-const uint kTextureSrgb = 32u;
-const uint kTextureDeep = 64u;       // two words a texel, of halves; else one, of bytes
-const uint kTextureSecondSet = 128u; // of texture coordinates
-const uint kTextureChunkShift = 8u;
+const uint kTextureNearest = 16u;         // where it is magnified; else bilinear
+const uint kTextureMinifiedNearest = 32u; // where it is minified
+const uint kTextureBetweenLevels = 64u;   // minified: of the two nearest levels in part; else of the nearest
+const uint kTextureSecondSet = 128u;      // of texture coordinates
+const uint kTextureLastLevelShift = 8u;   // the coarsest level; 0: there is but the full-size one
 
 // One use of a texture by a material.
-struct TextureRecord {
+struct TextureUse {
+    vec3 rowU;       // of KHR_texture_transform: dot(rowU, (u, v, 1))
+    float unitLevel; // log2 of the texels along the side of a unit square of texture coordinates
+    vec3 rowV;
+    uint flags;
+};
+
+// TextureLevel::format.
+const uint kTexelsSrgb = 1u;
+const uint kTexelsDeep = 2u; // two words a texel, of halves; else one, of bytes
+const uint kTexelsChunkShift = 2u;
+
+// The texels of one level of a texture, of which 0 is the full size and each further one half of the last.
+struct TextureLevel {
     uint firstWord; // in its chunk
     uint width;
     uint height;
-    uint flags;
-    vec3 rowU; // of KHR_texture_transform: dot(rowU, (u, v, 1))
-    uint padding0;
-    vec3 rowV;
-    uint padding1;
+    uint format;
+};
+
+// A use and its level 0. Level l is in the l-th record after it, whose `use` says nothing.
+struct TextureRecord {
+    TextureLevel level;
+    TextureUse use;
 };
 
 // A triangle that light sampling knows.
@@ -167,9 +182,15 @@ SHARED_ASSERT_OFFSET(MaterialRecord, anisotropyCosine, 176)
 SHARED_ASSERT_OFFSET(MaterialRecord, specularTexture, 192)
 SHARED_ASSERT_OFFSET(MaterialRecord, coatTexture, 208)
 SHARED_ASSERT_OFFSET(MaterialRecord, iridescenceTexture, 224)
+SHARED_ASSERT_SIZE(TextureUse, 32)
+SHARED_ASSERT_OFFSET(TextureUse, unitLevel, 12)
+SHARED_ASSERT_OFFSET(TextureUse, rowV, 16)
+SHARED_ASSERT_OFFSET(TextureUse, flags, 28)
+SHARED_ASSERT_SIZE(TextureLevel, 16)
+SHARED_ASSERT_OFFSET(TextureLevel, height, 8)
+SHARED_ASSERT_OFFSET(TextureLevel, format, 12)
 SHARED_ASSERT_SIZE(TextureRecord, 48)
-SHARED_ASSERT_OFFSET(TextureRecord, rowU, 16)
-SHARED_ASSERT_OFFSET(TextureRecord, rowV, 32)
+SHARED_ASSERT_OFFSET(TextureRecord, use, 16)
 SHARED_ASSERT_SIZE(Emitter, 48)
 SHARED_ASSERT_OFFSET(Emitter, v1, 16)
 SHARED_ASSERT_OFFSET(Emitter, v2, 32)

@@ -25,6 +25,7 @@ const uint kDimensionLens = 1u;   // [2] place on the lens
 const uint kDimensionTime = 2u;   // [1] place in the shutter's interval
 // Those of bounce b, counted from 0 at the first hit, are bounceDimension(b, ...).
 const uint kBounceLight = 0u;      // [2] which light, and where on it
+const uint kBounceLevel = 1u;      // [1] which level of a texture, of two
 const uint kBounceLobe = 2u;       // [1] which lobe of the BSDF
 const uint kBounceDirection = 3u;  // [2] direction in the lobe
 const uint kBounceRoulette = 4u;   // [1] whether the path goes on
@@ -54,6 +55,9 @@ SHARED_FN uint hashed(const uint x) {
 SHARED_FN PixelSample makePixelSample(const uint x, const uint y, const uint index, const uint seed) {
     return PixelSample(hashed(x + hashed(y + hashed(seed))), bitfieldReverse(index));
 }
+
+// Of the sample, from 0.
+SHARED_FN uint sampleIndex(const PixelSample at) { return bitfieldReverse(at.reversedIndex); }
 
 // An Owen scramble with the bits reversed: each bit is flipped by a hash of those below it.
 SHARED_FN uint scrambledReversed(const uint x, const uint seed) {

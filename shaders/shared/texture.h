@@ -1,4 +1,4 @@
-// Looking a texture up: transform, wrap modes, nearest or bilinear filter, sRGB.
+// Looking a texture up: transform, wrap modes, levels, nearest or bilinear filter, sRGB.
 #ifndef METAMARCH_SHARED_TEXTURE_H
 #define METAMARCH_SHARED_TEXTURE_H
 #include "shared/features.h"
@@ -53,44 +53,64 @@ SHARED_FN float withinPeriod(const float u, const uint wrap) {
 }
 
 // One texel, rgba, decoded to linear light.
-SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureRecord record, const int x, const int y) {
-    const uint index = uint(y) * record.width + uint(x);
-    const uint chunk = record.flags >> kTextureChunkShift;
-    if (hasFeature(SCENE kFeatureDeepTextures) && (record.flags & kTextureDeep) != 0u) {
-        const uint word = record.firstWord + 2u * index;
+SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureLevel level, const int x, const int y) {
+    const uint index = uint(y) * level.width + uint(x);
+    const uint chunk = level.format >> kTexelsChunkShift;
+    if (hasFeature(SCENE kFeatureDeepTextures) && (level.format & kTexelsDeep) != 0u) {
+        const uint word = level.firstWord + 2u * index;
         const vec2 rg = unpackHalf2x16(loadTexel(SCENE chunk, word));
         const vec2 ba = unpackHalf2x16(loadTexel(SCENE chunk, word + 1u));
         const vec3 color = vec3(rg.x, rg.y, ba.x);
-        const vec3 linear = (record.flags & kTextureSrgb) != 0u ? srgbToLinear(color) : color;
+        const vec3 linear = (level.format & kTexelsSrgb) != 0u ? srgbToLinear(color) : color;
         return vec4(linear, ba.y);
     }
-    const uint word = loadTexel(SCENE chunk, record.firstWord + index);
+    const uint word = loadTexel(SCENE chunk, level.firstWord + index);
     const vec3 color =
         vec3(float(word & 255u), float((word >> 8u) & 255u), float((word >> 16u) & 255u)) / 255.0f;
-    const vec3 linear = (record.flags & kTextureSrgb) != 0u ? srgbToLinear(color) : color;
+    const vec3 linear = (level.format & kTexelsSrgb) != 0u ? srgbToLinear(color) : color;
     return vec4(linear, float(word >> 24u) / 255.0f);
 }
 
-// Where a surface is looked up: two sets of texture coordinates.
+// Where a surface is looked up: two sets of texture coordinates, and how much of each is to be seen at once.
 struct TexturePoint {
     vec2 first;
     vec2 second;
+    float firstLevel; // log2 of the side of a square that large; kFinestLevel: a point
+    float secondLevel;
+    float uLevel; // in [0, 1), chooses between two levels
 };
+const float kFinestLevel = -1000.0f;
+
+// The level for `texels` texels on a side seen as one, given as their log2. Of two levels one is chosen by
+// chance, so that their mean is the mix of both for the price of one.
+SHARED_FN uint chosenLevel(const uint flags, const float texels, const float u) {
+    const float last = float(flags >> kTextureLastLevelShift);
+    const float part = (flags & kTextureBetweenLevels) != 0u ? u : 0.5f;
+    return uint(min(max(floor(texels + part), 0.0f), last));
+}
 
 // 1 in every channel for kNoTextureRecord.
 SHARED_FN vec4 lookUp(SCENE_PARAMETER const uint textureId, const TexturePoint at) {
     if (!hasFeature(SCENE kFeatureTextures) || textureId == kNoTextureRecord) {
         return vec4(1.0f);
     }
-    const TextureRecord record = loadTexture(SCENE textureId);
-    const vec2 uv = (record.flags & kTextureSecondSet) != 0u ? at.second : at.first;
-    const float u = record.rowU.x * uv.x + record.rowU.y * uv.y + record.rowU.z;
-    const float v = record.rowV.x * uv.x + record.rowV.y * uv.y + record.rowV.z;
-    const uint wrapS = record.flags & kTextureWrapMask;
-    const uint wrapT = (record.flags >> kTextureWrapTShift) & kTextureWrapMask;
-    const int width = int(record.width);
-    const int height = int(record.height);
-    const bool isNearest = (record.flags & kTextureNearest) != 0u;
+    const TextureUse use = loadTextureUse(SCENE textureId);
+    const bool isSecond = (use.flags & kTextureSecondSet) != 0u;
+    const vec2 uv = isSecond ? at.second : at.first;
+    const float u = use.rowU.x * uv.x + use.rowU.y * uv.y + use.rowU.z;
+    const float v = use.rowV.x * uv.x + use.rowV.y * uv.y + use.rowV.z;
+    const uint wrapS = use.flags & kTextureWrapMask;
+    const uint wrapT = (use.flags >> kTextureWrapTShift) & kTextureWrapMask;
+    uint levelId = textureId;
+    bool isNearest = (use.flags & kTextureNearest) != 0u;
+    if (hasFeature(SCENE kFeatureMipmaps)) {
+        const float texels = use.unitLevel + (isSecond ? at.secondLevel : at.firstLevel);
+        levelId = textureId + chosenLevel(use.flags, texels, at.uLevel);
+        isNearest = (use.flags & (texels > 0.0f ? kTextureMinifiedNearest : kTextureNearest)) != 0u;
+    }
+    const TextureLevel level = loadTextureLevel(SCENE levelId);
+    const int width = int(level.width);
+    const int height = int(level.height);
     const float shift = isNearest ? 0.0f : 0.5f;
     const float x = withinPeriod(u, wrapS) * float(width) - shift;
     const float y = withinPeriod(v, wrapT) * float(height) - shift;
@@ -102,8 +122,8 @@ SHARED_FN vec4 lookUp(SCENE_PARAMETER const uint textureId, const TexturePoint a
     const int x1 = wrapped(int(left) + 1, width, wrapS);
     const int y0 = wrapped(int(top), height, wrapT);
     const int y1 = wrapped(int(top) + 1, height, wrapT);
-    const vec4 upper = texelAt(SCENE record, x0, y0) * (1.0f - right) + texelAt(SCENE record, x1, y0) * right;
-    const vec4 lower = texelAt(SCENE record, x0, y1) * (1.0f - right) + texelAt(SCENE record, x1, y1) * right;
+    const vec4 upper = texelAt(SCENE level, x0, y0) * (1.0f - right) + texelAt(SCENE level, x1, y0) * right;
+    const vec4 lower = texelAt(SCENE level, x0, y1) * (1.0f - right) + texelAt(SCENE level, x1, y1) * right;
     return upper * (1.0f - down) + lower * down;
 }
 

@@ -64,7 +64,8 @@ MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelS
     record.roughness = m.roughnessFactor;
     record.ior = m.ior;
     record.flags = flagsOf(m, options.isSingleScatter);
-    record.baseColorTexture = texels.add(m.baseColorTexture);
+    record.baseColorTexture = texels.add(
+        m.baseColorTexture, m.alphaMode == AlphaMode::opaque ? ColorWeight::equal : ColorWeight::byAlpha);
     record.metallicRoughnessTexture = texels.add(m.metallicRoughnessTexture);
     record.normalTexture = texels.add(m.normalTexture);
     record.emissionTexture = texels.add(m.emissiveTexture);
@@ -167,6 +168,7 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
         meanEmission.push_back(isKnown ? mean : glm::vec3(0.0f));
         target.features |= emission != glm::vec3(0.0f) ? kFeatureEmission : 0u;
     }
+    texels.addLevels();
     addSurfaces(scene, target);
     addLights(options.isWhite ? std::span<const PunctualLight>() : scene.lights, scene, surroundings,
               meanEmission, target);

@@ -46,7 +46,10 @@ inline glm::vec4 loadTangent(const ShadingScene& scene, const uint i) {
     return scene.tangents.empty() ? glm::vec4(0.0f) : scene.tangents[i];
 }
 inline MaterialRecord loadMaterial(const ShadingScene& scene, const uint i) { return scene.materials[i]; }
-inline TextureRecord loadTexture(const ShadingScene& scene, const uint i) { return scene.textures[i]; }
+inline TextureLevel loadTextureLevel(const ShadingScene& scene, const uint i) {
+    return scene.textures[i].level;
+}
+inline TextureUse loadTextureUse(const ShadingScene& scene, const uint i) { return scene.textures[i].use; }
 inline std::uint32_t loadTexel(const ShadingScene& scene, const uint chunk, const uint word) {
     return scene.texels[chunk][word];
 }

@@ -30,7 +30,8 @@ std::uint32_t addWaves(Scene& scene, const bool isDeep, const TextureWrap wrap =
     return texture;
 }
 
-// The ball is the first material; beside it a floor, a wall and a lamp.
+// The ball is the first material; beside it a floor, the second, a wall and a lamp.
+constexpr std::uint32_t kFloor = 1;
 using Change = std::function<void(PathScene& made, Material& ball)>;
 
 PathScene stage(const Change& change) {
@@ -109,10 +110,21 @@ void textures(PathScene& made, Material& ball, const bool isDeep) {
     ball.emissiveTexture = {addWaves(made.scene, isDeep), 0, true};
     ball.emissiveFactor = {0.4f, 0.3f, 0.2f};
     made.scene.textures.back().magFilter = TextureFilter::nearest;
+    made.scene.textures.back().minFilter = TextureFilter::nearest;
     made.scene.texCoords1 = made.scene.texCoords;
     for (glm::vec2& place : made.scene.texCoords1) {
         place = glm::vec2(1.7f * place.y - 0.3f, place.x);
     }
+}
+
+// A floor that shows a picture many times, smaller than a pixel at its far end.
+void mipmaps(PathScene& made, const bool isDeep, const TextureFilter minFilter,
+             const TextureFilter magFilter = TextureFilter::linear) {
+    TextureRef waves{addWaves(made.scene, isDeep), 0, true};
+    waves.transform = glm::mat3x2(9.0f, 2.0f, -2.0f, 9.0f, 0.0f, 0.0f);
+    made.scene.textures.back().magFilter = magFilter;
+    made.scene.textures.back().minFilter = minFilter;
+    made.scene.materials[kFloor].baseColorTexture = waves;
 }
 
 void normalMap(PathScene& made, Material& ball) {
@@ -194,6 +206,10 @@ PathScene everything() {
         textures(made, ball, true);
         normalMap(made, ball);
         ball.clearcoatNormalTexture = {addWaves(made.scene, true), 1};
+        for (Texture& texture : made.scene.textures) {
+            texture.minFilter = TextureFilter::linearMipmapLinear;
+        }
+        mipmaps(made, false, TextureFilter::nearestMipmapLinear);
         coat(ball);
         sheen(ball);
         anisotropy(ball);
@@ -244,6 +260,47 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
              return stage([](PathScene& made, Material& ball) {
                  textures(made, ball, true);
                  made.chunkBytes = 1500; // one image of 1,152 bytes in each
+             });
+         }},
+        {"mipmaps",
+         [] {
+             return stage(
+                 [](PathScene& made, Material&) { mipmaps(made, false, TextureFilter::linearMipmapLinear); });
+         }},
+        {"deep_mipmaps",
+         [] {
+             return stage(
+                 [](PathScene& made, Material&) { mipmaps(made, true, TextureFilter::linearMipmapNearest); });
+         }},
+        {"nearest_of_mipmaps",
+         [] {
+             return stage([](PathScene& made, Material&) {
+                 mipmaps(made, false, TextureFilter::nearestMipmapLinear, TextureFilter::nearest);
+                 made.camera.apertureRadius = 0.1f;
+                 made.camera.focusDistance = 4.0f;
+             });
+         }},
+        {"nearest_from_far",
+         [] {
+             return stage([](PathScene& made, Material&) {
+                 mipmaps(made, false, TextureFilter::nearest, TextureFilter::linear);
+             });
+         }},
+        {"mipmaps_around",
+         [] {
+             return stage([](PathScene& made, Material& ball) {
+                 mipmaps(made, false, TextureFilter::nearestMipmapNearest);
+                 ball.metallicFactor = 1.0f;
+                 ball.roughnessFactor = 0.0f;
+                 made.camera.isPanorama = true;
+             });
+         }},
+        {"mipmaps_in_parallel",
+         [] {
+             return stage([](PathScene& made, Material&) {
+                 mipmaps(made, false, TextureFilter::linearMipmapLinear);
+                 made.view.projection = SceneCamera::Projection::orthographic;
+                 made.view.verticalExtent = 5.0f;
              });
          }},
         {"normal_map", [] { return stage(normalMap); }},

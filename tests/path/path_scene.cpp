@@ -214,6 +214,7 @@ std::uint32_t addTexture(Scene& scene, const std::uint32_t width, const std::vec
     Texture texture;
     texture.image = static_cast<std::uint32_t>(scene.images.size() - 1);
     texture.magFilter = filter;
+    texture.minFilter = filter;
     scene.textures.push_back(texture);
     return static_cast<std::uint32_t>(scene.textures.size() - 1);
 }

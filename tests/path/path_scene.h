@@ -77,7 +77,8 @@ void addPointLight(Scene& scene, glm::vec3 position, float candela);
 // A map of `height` rows and twice as many columns, of radiance 1 above the horizon and 0 below.
 Environment upperHalf(std::uint32_t height);
 
-// An image of 8-bit texels with its texture; returns the latter. `width` texels a row.
+// An image of 8-bit texels with its texture; returns the latter. `width` texels a row. The filter, nearest or
+// linear, is that from far, too.
 std::uint32_t addTexture(Scene& scene, std::uint32_t width, const std::vector<glm::u8vec4>& texels,
                          TextureFilter filter);
 
