@@ -33,8 +33,11 @@ constexpr double kCalmSeconds = 0.06;
 // Submissions of a frame that brings the coarse picture up to date. Their first ones are small, as nobody
 // knows yet how long they take.
 constexpr int kMostQuickSubmissions = 8;
-// While there is nothing to draw the window sleeps for so long at a time.
-constexpr double kIdleSeconds = 0.05;
+// While nothing happens the window sleeps for so long at a time, less while a scene is on its way. Dear ImGui
+// takes some frames to answer an event.
+constexpr double kIdleSeconds = 0.25;
+constexpr double kBusySeconds = 0.05;
+constexpr int kFramesAfterEvent = 3;
 constexpr double kStatisticsSeconds = 0.5;
 
 double secondsBetween(const Clock::time_point from, const Clock::time_point to) {
@@ -69,14 +72,19 @@ class Viewer {
     void run() {
         Clock::time_point last = Clock::now();
         while (!window.isClosing()) {
-            const Input input = window.poll(isIdle ? kIdleSeconds : 0.0);
+            const double nap = quietFrames < kFramesAfterEvent ? 0.0
+                               : loader.isBusy()               ? kBusySeconds
+                                                               : kIdleSeconds;
+            const Clock::time_point asleep = Clock::now();
+            const Input input = window.poll(nap);
             const Clock::time_point now = Clock::now();
+            quietFrames = secondsBetween(asleep, now) < nap ? 0 : quietFrames + 1;
             const double seconds = secondsBetween(std::exchange(last, now), now);
             takeScene();
             takeDropped(input);
             reloadWhatChanged();
             if (!presenter.beginFrame()) {
-                isIdle = true; // minimised
+                quietFrames = kFramesAfterEvent; // minimised
                 continue;
             }
             state.size = presenter.size();
@@ -89,10 +97,11 @@ class Viewer {
             if (state.scene) {
                 drawOverlay(state);
             }
-            const bool hasWorked = trace();
+            if (trace()) {
+                quietFrames = 0;
+            }
             presenter.endFrame(
                 [&](vulkan::Commands& commands, const Screen& screen) { paint(commands, screen); });
-            isIdle = !hasWorked && !loader.isBusy();
             measure(now);
             window.setTitle(titleText());
         }
@@ -123,8 +132,7 @@ class Viewer {
             if (!state.scene) {
                 throw Error(static_cast<ExitCode>(answer->exitCode), answer->refusal);
             }
-            state.say(answer->refusal);
-            state.file = state.scene->request.file;
+            goBack(answer->refusal);
             return;
         }
         try {
@@ -133,8 +141,18 @@ class Viewer {
             if (!state.scene) {
                 throw;
             }
-            state.say(error.what());
+            goBack(error.what());
         }
+    }
+
+    // To what the scene on the stage was asked with.
+    void goBack(const std::string& refusal) {
+        state.say(refusal);
+        const SceneRequest& shown = state.scene->request;
+        state.file = shown.file;
+        state.settings.import = shown.import;
+        state.settings.light = shown.light;
+        state.settings.hiddenMeshes = shown.hiddenMeshes;
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
@@ -548,7 +566,7 @@ class Viewer {
     glm::uvec2 canvasSize{0};
     Shot lastShot;
     bool isStale = false; // the picture is to begin anew
-    bool isIdle = false;
+    int quietFrames = 0;  // since something happened
     std::uint32_t readings = 0;
 
     Clock::time_point measured = Clock::now();
