@@ -87,6 +87,9 @@ void Canvas::record(vulkan::Commands& commands, const Screen& screen, const std:
                     const std::uint32_t end) {
     coarse.record(commands);
     fine.record(commands);
+    if (first >= end) {
+        return;
+    }
     vulkan::ComputePipeline& pipeline = presenting();
     pipeline.bind(kBindOutput, screen.pixels);
     commands.dispatch(pipeline, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},

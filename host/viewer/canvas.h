@@ -24,7 +24,7 @@ class Canvas {
     // Every pixel of the window shows something of the shot.
     bool isWhole() const { return coarse.isWhole(); }
 
-    // Writes the columns [first, end) of the screen. Once in a frame.
+    // Writes the columns [first, end) of the screen, if any. Once in a frame.
     void record(vulkan::Commands& commands, const Screen& screen, std::uint32_t first, std::uint32_t end);
 
     const std::string& traversal() const { return name; }

@@ -4,13 +4,14 @@
 #include "render/view_names.h"
 #include "scene/scene_file.h"
 #include "shader_library.h"
-#include "viewer/canvas.h"
+#include "viewer/actions.h"
 #include "viewer/controls.h"
 #include "viewer/overlay.h"
 #include "viewer/panels.h"
 #include "viewer/picture_saver.h"
 #include "viewer/presenter.h"
 #include "viewer/shader_reload.h"
+#include "viewer/sides.h"
 #include "viewer/stage.h"
 #include "vulkan/context.h"
 
@@ -18,7 +19,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace metamarch::viewer {
@@ -26,19 +28,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A frame while something changes: a coarse picture and the panels fit into the 50 ms of 20 frames a second.
-constexpr double kQuickSeconds = 0.025;
-// A submission while nothing changes; the window waits for one at most.
-constexpr double kCalmSeconds = 0.06;
-// Submissions of a frame that brings the coarse picture up to date. Their first ones are small, as nobody
-// knows yet how long they take.
-constexpr int kMostQuickSubmissions = 8;
 // While nothing happens the window sleeps for so long at a time, less while a scene is on its way. Dear ImGui
 // takes some frames to answer an event.
 constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
-constexpr double kStatisticsSeconds = 0.5;
 
 double secondsBetween(const Clock::time_point from, const Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
@@ -54,18 +48,19 @@ class Viewer {
     explicit Viewer(const ViewerOptions& usedOptions)
         : options(usedOptions), window(system, options.size, "metamarch"),
           context(system.instanceExtensions()), device(context, options.device, vulkan::DeviceUse::window),
-          presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device) {
+          presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
+          sides(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
         state.statistics.device = fmt::format("{} ({})", device.name(), device.report().driverInfo);
-        for (const std::string& traversal : traversals()) {
+        for (const std::string& traversal : state.traversals()) {
             render::requireTraversal(device.report(), traversal);
         }
         askForScene();
     }
 
-    ~Viewer() { dropCanvases(); }
+    ~Viewer() { dropPictures(); }
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
@@ -100,9 +95,10 @@ class Viewer {
             if (trace()) {
                 quietFrames = 0;
             }
-            presenter.endFrame(
-                [&](vulkan::Commands& commands, const Screen& screen) { paint(commands, screen); });
-            measure(now);
+            presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
+                sides.paint(commands, screen, state.settings.splitAt);
+            });
+            sides.measure(state.statistics);
             window.setTitle(titleText());
         }
     }
@@ -158,7 +154,7 @@ class Viewer {
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
         auto next = std::make_unique<Stage>(device, loaded);
-        dropCanvases();
+        dropPictures();
         stage = std::move(next);
         if (isOther || state.scene->whole != loaded->whole) {
             for (const std::string& warning : loaded->warnings) {
@@ -172,26 +168,12 @@ class Viewer {
         }
         if (isOther) {
             state.size = presenter.size();
-            state.camera =
-                state.scene ? firstCamera(*loaded) : options.chooseCamera(*loaded->whole, aspect());
+            state.camera = state.scene ? firstCamera(*loaded, state.aspect())
+                                       : options.chooseCamera(*loaded->whole, state.aspect());
         }
         state.scene = std::move(loaded);
         state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
         isStale = true;
-    }
-
-    // Of a scene that was dropped on the window.
-    ViewCamera firstCamera(const LoadedScene& scene) const {
-        const std::vector<SceneCamera>& cameras = scene.whole->cameras;
-        return cameras.empty() ? framing(scene.bounds, aspect(), ViewCamera().verticalFov)
-                               : ofFile(*scene.whole, 0, distanceTo(scene, cameras[0].eye));
-    }
-
-    float aspect() const { return static_cast<float>(state.size.x) / static_cast<float>(state.size.y); }
-
-    static float distanceTo(const LoadedScene& scene, const glm::vec3& eye) {
-        const float distance = glm::length(0.5f * (scene.bounds.lo + scene.bounds.hi) - eye);
-        return std::isfinite(distance) && distance > 0.0f ? distance : 1.0f;
     }
 
     void takeDropped(const Input& input) {
@@ -214,12 +196,12 @@ class Viewer {
             readAgain();
         }
         if (stage && shaders.hasChanged()) {
-            const std::string error = shaders.compile(traversals(), stage->buffers.memoryKind());
+            const std::string error = shaders.compile(state.traversals(), stage->buffers.memoryKind());
             state.shaderError = error;
             state.say(error.empty() ? "shaders compiled anew"
                                     : "shader error: " + error.substr(0, error.find('\n')));
             if (error.empty()) {
-                dropCanvases();
+                dropPictures();
                 isStale = true;
             }
         }
@@ -234,125 +216,39 @@ class Viewer {
 
     void act() {
         for (const Action action : std::exchange(state.actions, {})) {
-            if (state.scene || action == Action::quit) {
+            if (action == Action::quit) {
+                window.close();
+            } else if (state.scene && !perform(action, device.report(), state)) {
                 act(action);
             }
         }
     }
 
     void act(const Action action) {
-        switch (action) {
-        case Action::frameAll:
-            state.camera = framing(state.scene->bounds, aspect(), state.camera);
-            break;
-        case Action::frameSelected:
-            frameSelected();
-            break;
-        case Action::nextCamera:
-            nextCamera();
-            break;
-        case Action::printCamera:
+        if (action == Action::printCamera) {
             state.say(optionsText(state.camera));
             window.copy(optionsText(state.camera));
-            break;
-        case Action::saveScreenshot:
+        } else if (action == Action::saveScreenshot) {
             save(".png");
-            break;
-        case Action::saveExr:
+        } else if (action == Action::saveExr) {
             save(".exr");
-            break;
-        case Action::reload:
+        } else if (action == Action::reload) {
             readAgain();
-            break;
-        case Action::nextTraversal:
-            state.settings.traversal = nextTraversal(state.settings.traversal);
-            break;
-        case Action::nextView:
-            turnView(1);
-            break;
-        case Action::previousView:
-            turnView(-1);
-            break;
-        case Action::toggleSplit:
-            state.settings.rival = state.hasSplit() ? "" : nextTraversal(state.settings.traversal);
-            break;
-        case Action::togglePanels:
-            state.settings.hasPanels = !state.settings.hasPanels;
-            break;
-        case Action::quit:
-            window.close();
-            break;
         }
-    }
-
-    void frameSelected() {
-        if (!state.selected) {
-            return;
-        }
-        const Scene& shown = *state.scene->shown;
-        Bounds bounds{state.selected->corners[0], state.selected->corners[0]};
-        for (std::size_t i = 0; i < shown.triangles.size(); ++i) {
-            if (shown.triangleMesh[i] == state.selected->mesh) {
-                for (int corner = 0; corner < 3; ++corner) {
-                    const glm::vec3& place = shown.positions[shown.triangles[i][corner]];
-                    bounds = {glm::min(bounds.lo, place), glm::max(bounds.hi, place)};
-                }
-            }
-        }
-        state.camera = framing(bounds, aspect(), state.camera);
-    }
-
-    void nextCamera() {
-        const std::vector<SceneCamera>& cameras = state.scene->whole->cameras;
-        if (cameras.empty()) {
-            state.say("the scene has no cameras");
-            return;
-        }
-        const std::size_t next =
-            state.camera.fileCamera ? (*state.camera.fileCamera + 1) % cameras.size() : 0;
-        state.camera = ofFile(*state.scene->whole, next, distanceTo(*state.scene, cameras[next].eye));
-        state.say(fmt::format("camera {} '{}'", next, cameras[next].name));
-    }
-
-    // One that the device can run.
-    std::string nextTraversal(const std::string& current) const {
-        const std::span<const std::string_view> all = metamarch::traversals();
-        auto at = std::ranges::find(all, current);
-        do {
-            at = at + 1 == all.end() ? all.begin() : at + 1;
-        } while (!render::missingFor(device.report(), *at).empty());
-        return std::string(*at);
-    }
-
-    // Through all views, the picture before the first.
-    void turnView(const int by) {
-        constexpr int kCount = static_cast<int>(kInspectViews) + 1;
-        const int current = state.settings.view ? static_cast<int>(*state.settings.view) + 1 : 0;
-        const int next = (current + by + kCount) % kCount;
-        state.settings.view = next == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(next - 1));
     }
 
     void save(const char* const ending) {
-        if (canvases.empty()) {
+        if (sides.isEmpty()) {
             return;
         }
         try {
-            const Plate& plate = canvases.front()->finePlate();
-            state.say(saver.save(plate, lastShot, state, ending));
+            state.say(saver.save(sides.plate(), sides.shown(), state, ending));
         } catch (const Error& error) {
             state.say(error.what());
         }
     }
 
     // --- pictures ---
-
-    std::vector<std::string> traversals() const {
-        std::vector<std::string> names = {state.settings.traversal};
-        if (state.hasSplit()) {
-            names.push_back(state.settings.rival);
-        }
-        return names;
-    }
 
     // What has changed decides what is done anew.
     void follow(const Settings& before, const ViewCamera& cameraBefore) {
@@ -365,48 +261,53 @@ class Viewer {
         }
         const bool isOtherPicture = cameraBefore != state.camera || before.path != now.path ||
                                     before.view != now.view || before.heatMax != now.heatMax ||
-                                    before.samples != now.samples;
-        isStale = isStale || isOtherPicture || !hasCanvases();
-        if (stage && !hasCanvases()) {
-            makeCanvases();
+                                    before.samples != now.samples || before.traversal != now.traversal ||
+                                    before.rival != now.rival;
+        isStale = isStale || isOtherPicture;
+        isHalted = isHalted && !isStale;
+        if (!stage || isHalted) {
+            return;
         }
-        for (const auto& canvas : canvases) {
-            canvas->setTone(now.tone);
-        }
-        if (isStale && !canvases.empty()) {
-            lastShot = makeShot();
-            for (const auto& canvas : canvases) {
-                canvas->start(lastShot, kQuickSeconds / static_cast<double>(canvases.size()));
+        const bool areOthers = !sides.areOf(state.traversals(), state.size);
+        attempt([&] {
+            if (areOthers) {
+                presenter.wait();
+                sides.make(*stage, state.traversals(), state.size, shaders.overrides());
             }
-            state.statistics.sideSeconds = {};
-            isStale = false;
+            sides.setTone(now.tone);
+            if (std::exchange(isStale, false) || areOthers) {
+                sides.start(makeShot());
+            }
+        });
+    }
+
+    // Whether the device has done something.
+    bool trace() {
+        bool hasWorked = false;
+        if (!sides.isEmpty()) {
+            attempt([&] { hasWorked = sides.advance(); });
         }
+        return hasWorked;
     }
 
-    bool hasCanvases() const {
-        const std::vector<std::string> wanted = traversals();
-        return canvasSize == state.size && canvases.size() == wanted.size() &&
-               std::ranges::equal(canvases, wanted, {},
-                                  [](const auto& canvas) { return canvas->traversal(); });
-    }
-
-    void dropCanvases() {
-        presenter.wait();
-        canvases.clear();
-    }
-
-    void makeCanvases() {
-        dropCanvases();
-        canvasSize = state.size;
+    // What the device cannot do is said, and not tried again until something changes.
+    void attempt(const std::function<void()>& work) {
         try {
-            for (const std::string& name : traversals()) {
-                canvases.push_back(
-                    std::make_unique<Canvas>(device, *stage, name, canvasSize, shaders.overrides()));
-            }
+            work();
         } catch (const Error& error) {
+            if (error.code == ExitCode::noDevice) {
+                throw; // lost
+            }
             state.say(error.what());
-            dropCanvases();
+            dropPictures();
+            isStale = false;
+            isHalted = true;
         }
+    }
+
+    void dropPictures() {
+        presenter.wait();
+        sides.clear();
     }
 
     Shot makeShot() const {
@@ -425,114 +326,7 @@ class Viewer {
         const Bounds& bounds = state.scene->bounds;
         const glm::vec3 away =
             glm::max(glm::abs(bounds.lo - state.camera.eye), glm::abs(bounds.hi - state.camera.eye));
-        return std::max(glm::length(away), 1e-30f);
-    }
-
-    // Whether the device has done something.
-    bool trace() {
-        if (!state.scene || canvases.empty()) {
-            return false;
-        }
-        try {
-            bool hasWorked = false;
-            for (int i = 0; i < kMostQuickSubmissions && !isWhole(); ++i) {
-                for (const auto& canvas : canvases) {
-                    hasWorked = (!canvas->isWhole() &&
-                                 canvas->advance(kQuickSeconds / static_cast<double>(canvases.size()))) ||
-                                hasWorked;
-                }
-            }
-            if (!hasWorked) {
-                for (const auto& canvas : canvases) {
-                    hasWorked =
-                        canvas->advance(kCalmSeconds / static_cast<double>(canvases.size())) || hasWorked;
-                }
-            }
-            return hasWorked;
-        } catch (const Error& error) {
-            if (error.code == ExitCode::noDevice) {
-                throw; // lost
-            }
-            state.say(error.what());
-            state.settings.traversal = std::string(metamarch::traversals().front());
-            state.settings.rival.clear();
-            dropCanvases();
-            return false;
-        }
-    }
-
-    bool isWhole() const {
-        return std::ranges::all_of(canvases, [](const auto& canvas) { return canvas->isWhole(); });
-    }
-
-    void paint(vulkan::Commands& commands, const Screen& screen) {
-        if (canvases.empty() || canvasSize != screen.size) {
-            constexpr std::uint32_t kEmpty = 0xff201c1a; // dark, in either order of colours
-            commands.fill(screen.pixels, kEmpty);
-            return;
-        }
-        const bool isSplit = canvases.size() > 1;
-        const auto line =
-            isSplit ? static_cast<std::uint32_t>(state.settings.splitAt * static_cast<float>(screen.size.x))
-                    : screen.size.x;
-        if (line > 0) {
-            canvases[0]->record(commands, screen, 0, line);
-        }
-        if (line < screen.size.x) {
-            canvases[1]->record(commands, screen, line, screen.size.x);
-        }
-    }
-
-    // --- words ---
-
-    void measure(const Clock::time_point now) {
-        ++frames;
-        for (std::size_t i = 0; i < canvases.size(); ++i) {
-            const Plate& plate = canvases[i]->finePlate();
-            if (plate.isWhole()) {
-                double& seconds = state.statistics.sideSeconds[i];
-                const double samples = std::max(plate.samples(), 1.0);
-                seconds = plate.seconds() / samples;
-            }
-        }
-        if (!canvases.empty()) {
-            state.statistics.samples = canvases.front()->finePlate().samples();
-        }
-        const double seconds = secondsBetween(measured, now);
-        if (seconds < kStatisticsSeconds) {
-            return;
-        }
-        const render::PathCounters counters = totalCounters();
-        const auto rate = [&](const double after, const double before) {
-            return std::max(after - before, 0.0) / seconds;
-        };
-        Statistics& statistics = state.statistics;
-        statistics.framesPerSecond = frames / seconds;
-        statistics.raysPerSecond = rate(counters.rays, countersBefore.rays);
-        statistics.samplesPerSecond = rate(counters.samples, countersBefore.samples);
-        const double rays = counters.rays - countersBefore.rays;
-        if (rays > 0.0) {
-            statistics.stepsPerRay = (counters.steps - countersBefore.steps) / rays;
-            statistics.testsPerRay = (counters.tests - countersBefore.tests) / rays;
-        }
-        countersBefore = counters;
-        measured = now;
-        frames = 0;
-    }
-
-    render::PathCounters totalCounters() const {
-        render::PathCounters total;
-        for (const auto& canvas : canvases) {
-            for (const Plate* const plate : {&canvas->coarsePlate(), &canvas->finePlate()}) {
-                if (const render::PathCounters* const counters = plate->counters()) {
-                    total.rays += counters->rays;
-                    total.samples += counters->samples;
-                    total.steps += counters->steps;
-                    total.tests += counters->tests;
-                }
-            }
-        }
-        return total;
+        return std::max(glm::length(away), std::numeric_limits<float>::min());
     }
 
     std::string titleText() const {
@@ -562,16 +356,11 @@ class Viewer {
     ViewerState state;
 
     std::unique_ptr<Stage> stage;
-    std::vector<std::unique_ptr<Canvas>> canvases; // left and right; they use the stage
-    glm::uvec2 canvasSize{0};
-    Shot lastShot;
-    bool isStale = false; // the picture is to begin anew
-    int quietFrames = 0;  // since something happened
+    Sides sides;           // use the stage
+    bool isStale = false;  // the picture is to begin anew
+    bool isHalted = false; // there is none until something changes
+    int quietFrames = 0;   // since something happened
     std::uint32_t readings = 0;
-
-    Clock::time_point measured = Clock::now();
-    int frames = 0;
-    render::PathCounters countersBefore;
 };
 
 } // namespace

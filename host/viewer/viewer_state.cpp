@@ -14,6 +14,14 @@ void ViewerState::say(const std::string& line) {
     }
 }
 
+std::vector<std::string> ViewerState::traversals() const {
+    std::vector<std::string> names = {settings.traversal};
+    if (hasSplit()) {
+        names.push_back(settings.rival);
+    }
+    return names;
+}
+
 Camera ViewerState::traced() const {
     return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
 }

@@ -89,6 +89,9 @@ struct ViewerState {
 
     void say(const std::string& line);
 
+    float aspect() const { return static_cast<float>(size.x) / static_cast<float>(size.y); }
+    // Of the sides, from left to right.
+    std::vector<std::string> traversals() const;
     bool hasSplit() const { return !settings.rival.empty(); }
     // What the device traces at the window's size. Only with a scene.
     Camera traced() const;

@@ -1,0 +1,111 @@
+#include "viewer/actions.h"
+
+#include "render/scene_buffers.h"
+#include "shader_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace metamarch::viewer {
+namespace {
+
+void frameSelected(ViewerState& state) {
+    if (!state.selected) {
+        return;
+    }
+    const Scene& shown = *state.scene->shown;
+    Bounds bounds{state.selected->corners[0], state.selected->corners[0]};
+    for (std::size_t i = 0; i < shown.triangles.size(); ++i) {
+        if (shown.triangleMesh[i] == state.selected->mesh) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const glm::vec3& place = shown.positions[shown.triangles[i][corner]];
+                bounds = {glm::min(bounds.lo, place), glm::max(bounds.hi, place)};
+            }
+        }
+    }
+    state.camera = framing(bounds, state.aspect(), state.camera);
+}
+
+void nextCamera(ViewerState& state) {
+    const std::vector<SceneCamera>& cameras = state.scene->whole->cameras;
+    if (cameras.empty()) {
+        state.say("the scene has no cameras");
+        return;
+    }
+    const std::size_t next = state.camera.fileCamera ? (*state.camera.fileCamera + 1) % cameras.size() : 0;
+    state.camera = ofFile(*state.scene->whole, next, distanceTo(state.scene->bounds, cameras[next].eye));
+    state.say(fmt::format("camera {} '{}'", next, cameras[next].name));
+}
+
+// One that the device can run.
+std::string nextTraversal(const vulkan::DeviceReport& device, const std::string& current) {
+    const std::span<const std::string_view> all = traversals();
+    auto at = std::ranges::find(all, current);
+    do {
+        at = at + 1 == all.end() ? all.begin() : at + 1;
+    } while (!render::missingFor(device, *at).empty());
+    return std::string(*at);
+}
+
+// Through all views, the picture before the first.
+void turnView(Settings& settings, const int by) {
+    constexpr int kCount = static_cast<int>(kInspectViews) + 1;
+    const int current = settings.view ? static_cast<int>(*settings.view) + 1 : 0;
+    const int next = (current + by + kCount) % kCount;
+    settings.view = next == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(next - 1));
+}
+
+} // namespace
+
+float distanceTo(const Bounds& scene, const glm::vec3& eye) {
+    const float distance = glm::length(0.5f * (scene.lo + scene.hi) - eye);
+    return std::isfinite(distance) && distance > 0.0f ? distance : 1.0f;
+}
+
+ViewCamera firstCamera(const LoadedScene& scene, const float aspect) {
+    const std::vector<SceneCamera>& cameras = scene.whole->cameras;
+    return cameras.empty() ? framing(scene.bounds, aspect, ViewCamera().verticalFov)
+                           : ofFile(*scene.whole, 0, distanceTo(scene.bounds, cameras[0].eye));
+}
+
+bool perform(const Action action, const vulkan::DeviceReport& device, ViewerState& state) {
+    Settings& settings = state.settings;
+    switch (action) {
+    case Action::frameAll:
+        state.camera = framing(state.scene->bounds, state.aspect(), state.camera);
+        return true;
+    case Action::frameSelected:
+        frameSelected(state);
+        return true;
+    case Action::nextCamera:
+        nextCamera(state);
+        return true;
+    case Action::nextTraversal:
+        settings.traversal = nextTraversal(device, settings.traversal);
+        return true;
+    case Action::nextView:
+        turnView(settings, 1);
+        return true;
+    case Action::previousView:
+        turnView(settings, -1);
+        return true;
+    case Action::toggleSplit:
+        settings.rival = state.hasSplit() ? "" : nextTraversal(device, settings.traversal);
+        return true;
+    case Action::togglePanels:
+        settings.hasPanels = !settings.hasPanels;
+        return true;
+    case Action::printCamera:
+    case Action::saveScreenshot:
+    case Action::saveExr:
+    case Action::reload:
+    case Action::quit:
+        return false;
+    }
+    return false;
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,58 @@
+// The window's picture: one canvas, or two side by side.
+#pragma once
+#include "viewer/canvas.h"
+#include "viewer/viewer_state.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace metamarch::viewer {
+
+class Sides {
+  public:
+    explicit Sides(const vulkan::Device& usedDevice) : device(usedDevice) {}
+
+    bool isEmpty() const { return canvases.empty(); }
+    bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
+
+    // One for each traversal, from left to right. Not while a frame that they were painted in is drawn; nor
+    // clear(). The stage and the shaders must outlive them. Throws as Canvas.
+    void make(const Stage& stage, const std::vector<std::string>& traversals, glm::uvec2 windowSize,
+              const ShaderOverrides& shaders);
+    void clear() { canvases.clear(); }
+
+    void start(const Shot& shot);
+    void setTone(const ToneMapping& toneMapping);
+
+    // What fits between two frames: a coarse picture as soon as can be, else one submission for each side.
+    // False where nothing is left to do. Throws as PathTracer::advance.
+    bool advance();
+
+    // The left side ends at `line`, a part of the screen's width.
+    void paint(vulkan::Commands& commands, const Screen& screen, float line);
+
+    // Counts a frame, and brings up to date what is measured.
+    void measure(Statistics& statistics);
+
+    // What the left side shows, for files; not where it is empty.
+    const Plate& plate() const { return canvases.front()->finePlate(); }
+    const Shot& shown() const { return shot; }
+
+  private:
+    bool isWhole() const;
+    double share(double seconds) const { return seconds / static_cast<double>(canvases.size()); }
+    render::PathCounters counters() const;
+
+    const vulkan::Device& device;
+    std::vector<std::unique_ptr<Canvas>> canvases;
+    glm::uvec2 size{0};
+    Shot shot;
+
+    std::chrono::steady_clock::time_point measured = std::chrono::steady_clock::now();
+    int frames = 0; // since then
+    render::PathCounters countersBefore;
+};
+
+} // namespace metamarch::viewer
