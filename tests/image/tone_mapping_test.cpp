@@ -1,5 +1,4 @@
 #include "image/tone_mapping.h"
-
 #include "shared/packed_pixel.h"
 
 #include <gtest/gtest.h>
