@@ -2,6 +2,16 @@
 #ifndef METAMARCH_LIB_META_TABLE_GLSL
 #define METAMARCH_LIB_META_TABLE_GLSL
 #include "lib/leaves.glsl"
+#include "shared/meta_table.h"
 
-WORDS1(leafOfCell, kBindTable);
+WORDS1(metaTableWords, kBindTable);
+
+// The leaf that holds the cell.
+Leaf loadLeafAt(const ivec3 cell, const uvec3 resolution) {
+    uint entry = LOAD1(metaTableWords, brickEntry(cell, resolution));
+    if (isMixed(entry)) {
+        entry = LOAD1(metaTableWords, cellEntry(entry, cell));
+    }
+    return loadLeaf(entry);
+}
 #endif

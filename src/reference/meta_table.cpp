@@ -19,7 +19,7 @@ template <Invariants invariants>
         require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
         require<invariants>(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
-        const Leaf& leaf = scene.table.leaves[scene.table.leafOfCell[cellIndex(cell, resolution)]];
+        const Leaf& leaf = scene.table.leaves[scene.table.leafAt(cell)];
         testTriangles(scene.tableTriangles(), ray, leaf.firstTriangle, leaf.triangleCount, trace);
         if (isDone(trace, query)) {
             return trace;
