@@ -33,8 +33,9 @@ std::optional<StructureCost> StructureCosts::measure(const std::string_view trav
     const std::uint64_t leafBytes = byteSize(base.tree.leaves) + byteSize(base.triangles);
     const std::uint64_t treeBytes = byteSize(base.tree.nodes) + leafBytes;
     if (traversal == "meta_table") {
-        return StructureCost{sizeof(std::uint32_t) + sizeof(Leaf),
-                             byteSize(base.table.leafOfCell) + byteSize(base.table.leaves) +
+        // An entry of a brick and one of a cell: few whole bricks lie near surfaces.
+        return StructureCost{2 * sizeof(std::uint32_t) + sizeof(Leaf),
+                             byteSize(base.table.words) + byteSize(base.table.leaves) +
                                  base.tableTriangles().size_bytes(),
                              base.treeSeconds + base.tableSeconds};
     }
@@ -65,9 +66,9 @@ std::optional<StructureCost> StructureCosts::measure(const std::string_view trav
         const RectilinearTable& built = set.rectilinearTable();
         const MetaTable& table = built.table;
         // Three planes for the exit and, behind it, three look-ups with one plane each.
-        return StructureCost{sizeof(std::uint32_t) + sizeof(Leaf) + 3 * sizeof(float) +
+        return StructureCost{2 * sizeof(std::uint32_t) + sizeof(Leaf) + 3 * sizeof(float) +
                                  3 * (sizeof(std::uint32_t) + sizeof(float)),
-                             byteSize(table.leafOfCell) + byteSize(table.leaves) + byteSize(table.triangles) +
+                             byteSize(table.words) + byteSize(table.leaves) + byteSize(table.triangles) +
                                  byteSize(built.planes.planes()) + byteSize(built.planes.buckets()),
                              built.buildSeconds};
     }

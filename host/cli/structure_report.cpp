@@ -59,7 +59,7 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["tree"]["references"] = tree.leafTriangles.size();
     report["tree"]["depth"] = tree.depth;
     report["bytes"]["tree"] = byteSize(tree.nodes) + byteSize(tree.leaves);
-    report["bytes"]["table"] = byteSize(structure.table.leafOfCell);
+    report["bytes"]["table"] = byteSize(structure.table.words);
     report["bytes"]["exitBoxes"] = byteSize(structure.table.leaves);
     report["bytes"]["triangles"] = byteSize(structure.triangles) + byteSize(structure.table.triangles);
     report["seconds"]["tree"] = structure.treeSeconds;
@@ -77,7 +77,7 @@ nlohmann::ordered_json reportRectilinear(const RectilinearTable& table) {
     report["leaves"] = table.table.leaves.size();
     report["references"] = table.table.triangles.size();
     report["depth"] = table.depth;
-    report["bytes"]["table"] = byteSize(table.table.leafOfCell);
+    report["bytes"]["table"] = byteSize(table.table.words);
     report["bytes"]["exitBoxes"] = byteSize(table.table.leaves);
     report["bytes"]["planes"] = byteSize(table.planes.planes()) + byteSize(table.planes.buckets());
     report["bytes"]["triangles"] = byteSize(table.table.triangles);

@@ -52,9 +52,8 @@ constexpr StructurePart kTreeLeaves = {"leaves", kBindLeaves, kFourWords, [](con
 constexpr StructurePart kExitBoxes = {"exit boxes", kBindLeaves, kFourWords, [](const StructureSet& set) {
                                           return bytesOf(set.kdTree().table.leaves);
                                       }};
-constexpr StructurePart kTable = {"meta table", kBindTable, kOneWord, [](const StructureSet& set) {
-                                      return bytesOf(set.kdTree().table.leafOfCell);
-                                  }};
+constexpr StructurePart kTable = {"meta table", kBindTable, kOneWord,
+                                  [](const StructureSet& set) { return bytesOf(set.kdTree().table.words); }};
 constexpr StructurePart kKdNodes = {"kd-tree nodes", kBindKdNodes, kTwoWords,
                                     [](const StructureSet& set) { return bytesOf(set.kdTree().tree.nodes); }};
 constexpr StructurePart kKdParents = {"kd-tree parents", kBindKdParents, kFourWords,
@@ -85,7 +84,7 @@ constexpr StructurePart kRectilinearExitBoxes = {
     [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.leaves); }};
 constexpr StructurePart kRectilinearTable = {
     "rectilinear table", kBindTable, kOneWord,
-    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.leafOfCell); }};
+    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.words); }};
 
 using Triangles = std::span<const TriangleRecord>;
 

@@ -6,10 +6,10 @@
 
 layout(local_size_x = kTilePixels) in;
 
-uint leafBeside(const ivec3 cell) { return isInLattice(cell, lattice.resolution) ? leafAt(cell) : kNoLeaf; }
+uint leafBeside(const ivec3 cell) { return isInLattice(cell, lattice.resolution) ? leafAt(cell, lattice.resolution) : kNoLeaf; }
 
 CellFacts loadCellFacts(const CellPlace place) {
-    const uint leafId = leafAt(place.cell);
+    const uint leafId = leafAt(place.cell, lattice.resolution);
     const uvec3 beside = uvec3(leafBeside(place.cell + ivec3(place.side.x, 0, 0)),
                                leafBeside(place.cell + ivec3(0, place.side.y, 0)),
                                leafBeside(place.cell + ivec3(0, 0, place.side.z)));

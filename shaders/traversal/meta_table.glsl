@@ -8,8 +8,8 @@
 // Why it ends: leaveBox moves the cell on by at least one in one axis and never back in the others, and the
 // loop ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats.
 //
-// What it costs: per step one 4-byte table entry and one 16-byte leaf, plus the leaf's triangles. No memory
-// per ray.
+// What it costs: per step one or, where leaves meet in a brick, two 4-byte table entries and one 16-byte
+// leaf, plus the leaf's triangles. No memory per ray.
 //
 // Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
 
@@ -35,7 +35,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         do {
             if (leaf.triangleCount == 0u) {
                 ++trace.steps;
-                leaf = loadLeaf(leafAt(next.cell));
+                leaf = loadLeafAt(next.cell, lattice.resolution);
                 next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), next.cell);
             }
         } while (leaf.triangleCount == 0u && next.t < trace.hit.t &&

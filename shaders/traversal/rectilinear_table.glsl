@@ -9,9 +9,9 @@
 // loop ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats. A
 // search along an axis ends at the last plane.
 //
-// What it costs: per step one 4-byte table entry, one 16-byte leaf and three planes, and for the cell behind
-// three look-ups, each with one plane and those between it and the position; plus the leaf's triangles. No
-// memory per ray.
+// What it costs: per step one or two 4-byte table entries, one 16-byte leaf and three planes, and for the
+// cell behind three look-ups, each with one plane and those between it and the position; plus the leaf's
+// triangles. No memory per ray.
 //
 // Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
 
@@ -31,7 +31,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
     while (true) {
         ++trace.steps;
-        const Leaf leaf = loadLeaf(LOAD1(leafOfCell, cellIndex(cell, resolution)));
+        const Leaf leaf = loadLeafAt(cell, resolution);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);

@@ -23,10 +23,19 @@ double lap(std::chrono::steady_clock::time_point& start) {
     return seconds;
 }
 
-MetaTable buildTable(const Lattice& lattice, const LeafList& list, const AccelerationOptions& options) {
-    MetaTable table = buildMetaTable(lattice.resolution, list.leaves);
+// Whether how many cells the lattice has is decided here.
+bool choosesCells(const AccelerationOptions& options) {
+    return !options.unit && !options.cells && !options.partition && options.table != TableMethod::gcd;
+}
+
+// Cells of a lattice whose table passes the budget to those of the next that is tried.
+constexpr std::uint32_t kCoarser = 4;
+
+MetaTable buildTable(const LeafList& list, const Lattice& lattice, const AccelerationOptions& options,
+                     const std::uint64_t budget) {
+    MetaTable table = buildMetaTable(lattice.resolution, list.leaves, budget);
     if (options.exitBoxes) {
-        growExitBoxes(lattice.resolution, list, table);
+        growExitBoxes(list, table);
     }
     return table;
 }
@@ -91,6 +100,27 @@ std::vector<LatticeTriangle> layTree(const Scene& scene, const std::vector<std::
     return corners;
 }
 
+// Tree and table over the triangles `ids`, with a table of at most `budget` bytes.
+void build(const Scene& scene, const std::vector<std::uint32_t>& ids, const AccelerationOptions& options,
+           const unsigned depth, const std::uint64_t budget, AccelerationStructure& result) {
+    auto clock = std::chrono::steady_clock::now();
+    const std::vector<LatticeTriangle> corners = layTree(scene, ids, options, depth, result);
+    result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
+    result.treeSeconds = lap(clock);
+    if (options.partition) {
+        const auto list = listTriangles(result.lattice, options.partition->boxes, corners, ids);
+        result.table = buildTable(list, result.lattice, options, budget);
+        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+    } else if (options.mergeLeaves) {
+        const LeafList list = mergeLeaves(result.lattice, result.tree);
+        result.table = buildTable(list, result.lattice, options, budget);
+        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+    } else {
+        result.table = buildTable(result.tree, result.lattice, options, budget);
+    }
+    result.tableSeconds = lap(clock);
+}
+
 } // namespace
 
 std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
@@ -125,24 +155,22 @@ AccelerationStructure buildAccelerationStructure(const Scene& scene, const Accel
     }
 
     AccelerationStructure result;
-    result.options = options;
     result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
-    auto clock = std::chrono::steady_clock::now();
-    std::vector<LatticeTriangle> corners = layTree(scene, ids, options, depth, result);
-    result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
-    result.treeSeconds = lap(clock);
-    if (options.partition) {
-        const auto list = listTriangles(result.lattice, options.partition->boxes, corners, ids);
-        result.table = buildTable(result.lattice, list, options);
-        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
-    } else if (options.mergeLeaves) {
-        const LeafList list = mergeLeaves(result.lattice, result.tree);
-        result.table = buildTable(result.lattice, list, options);
-        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
-    } else {
-        result.table = buildTable(result.lattice, result.tree, options);
+    AccelerationOptions tried = options;
+    // Ends: a table of few cells takes few bytes.
+    for (bool fits = false; !fits;) {
+        try {
+            build(scene, ids, tried, depth, choosesCells(options) ? kAutomaticTableBudget : kTableBudget,
+                  result);
+            fits = true;
+        } catch (const TableOverBudget&) {
+            if (!choosesCells(options)) {
+                throw;
+            }
+            tried.cells = result.lattice.cellCount / kCoarser;
+        }
     }
-    result.tableSeconds = lap(clock);
+    result.options = options;
     return result;
 }
 

@@ -26,11 +26,6 @@ struct AccelerationStructure {
         return table.triangles.empty() ? triangles : table.triangles;
     }
 
-    // The table's leaf that holds `cell` of the lattice.
-    std::uint32_t leafAt(const ivec3 cell) const {
-        return table.leafOfCell[cellIndex(cell, lattice.resolution)];
-    }
-
     std::uint32_t degenerateTriangles = 0; // of the scene, in no leaf
     double treeSeconds = 0.0;              // wall time
     double tableSeconds = 0.0;

@@ -18,8 +18,8 @@ constexpr unsigned kFaces = 6;
 
 class Growth {
   public:
-    Growth(const uvec3 latticeResolution, const LeafList& usedList, std::span<const std::uint32_t> table)
-        : resolution(latticeResolution), list(usedList), leafOfCell(table) {}
+    Growth(const LeafList& usedList, const MetaTable& usedTable)
+        : resolution(usedTable.resolution), list(usedList), table(usedTable) {}
 
     // Moves the faces out in turn, each as far as the leaves behind it allow. A face that is held stays so:
     // the larger the box, the more leaves lie behind it.
@@ -56,7 +56,7 @@ class Growth {
         for (cell[v] = box.lo[v]; cell[v] < box.hi[v];) {
             int nextRow = box.hi[v];
             for (cell[u] = box.lo[u]; cell[u] < box.hi[u];) {
-                const Leaf& behind = list.leaves[leafOfCell[cellIndex(cell, uvec3(resolution))]];
+                const Leaf& behind = list.leaves[table.leafAt(cell)];
                 if (++looks > kMostLooks || !holdsAllOf(leaf, behind)) {
                     return 0;
                 }
@@ -77,13 +77,13 @@ class Growth {
 
     ivec3 resolution;
     const LeafList& list;
-    std::span<const std::uint32_t> leafOfCell;
+    const MetaTable& table;
 };
 
 } // namespace
 
-void growExitBoxes(const uvec3 resolution, const LeafList& list, MetaTable& table) {
-    const Growth growth(resolution, list, table.leafOfCell);
+void growExitBoxes(const LeafList& list, MetaTable& table) {
+    const Growth growth(list, table);
     tbb::parallel_for(std::size_t{0}, list.leaves.size(), [&](const std::size_t leafId) {
         const CellBox box = growth.grow(list.leaves[leafId]);
         table.leaves[leafId].lo = packCell(uvec3(box.lo));

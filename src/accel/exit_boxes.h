@@ -13,6 +13,6 @@ namespace metamarch {
 //
 // No hit is lost: a triangle that comes within kReferenceMargin of the exit box comes within it of some cell
 // there, so it is listed in the leaf that the cell belongs to, and with that in the leaf that was tested.
-void growExitBoxes(uvec3 resolution, const LeafList& list, MetaTable& table);
+void growExitBoxes(const LeafList& list, MetaTable& table);
 
 } // namespace metamarch

@@ -98,7 +98,6 @@ GcdLattice makeGcdLattice(const Lattice& quanta, const SplitPlan& plan) {
                         1.0 * counts.x * counts.y * counts.z * sizeof(std::uint32_t) / 0x1p20,
                         kMaxLatticeResolution, kHint));
     }
-    refuseOverBudget(glm::dvec3(counts), kHint);
 
     result.lattice = inCells(quanta, counts, divisors);
     const glm::dvec3 quantum = 1.0 / glm::dvec3(quanta.cellsPerUnit);

@@ -23,8 +23,16 @@ constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
 
 // The side of a cell in typical edges, at most: where a floor carries a model, kCellsPerTriangle would leave
-// the model a handful of cells. Chosen by measurement: README.md in this folder.
-constexpr double kCellPerEdge = 1.0;
+// the model a handful of cells. Closed models by themselves have about as fine cells from kCellsPerTriangle.
+// Chosen by measurement: README.md in this folder.
+constexpr double kCellPerEdge = 0.75;
+
+// The side of a cell for typical edges, at least, as a fraction of the longest side: finer ones would list
+// triangles for their margins alone.
+constexpr double kLeastCell = 4.0 * kReferenceMargin;
+
+constexpr double kTooManyCells =
+    1.0 + 1.0 * kMaxLatticeResolution * kMaxLatticeResolution * kMaxLatticeResolution;
 
 // Method 2's quantum where none is asked for, as a fraction of the longest side: 2^24 cells at most, whatever
 // the divisors are.
@@ -68,8 +76,6 @@ void refuseOverLimit(const glm::dvec3 counts, const double longestSide) {
                 counts.x, counts.y, counts.z, kMaxLatticeResolution,
                 longestSide / kMaxLatticeResolution * kDigitsRounding));
     }
-    refuseOverBudget(counts, fmt::format("choose a larger --unit or --cells below {}",
-                                         kTableBudget / sizeof(std::uint32_t)));
 }
 
 // The box to lay a lattice over: the scene's, or a unit cube for one without triangles.
@@ -97,10 +103,15 @@ Extents extentsOf(const Bounds& bounds, const std::uint32_t triangleCount) {
     return extents;
 }
 
-// How many cells of that side the box holds; none where it is 0.
-double cellsOfSide(const glm::dvec3& size, const double side) {
-    const glm::dvec3 counts = glm::max(size / side, glm::dvec3(1.0));
-    return side > 0.0 ? counts.x * counts.y * counts.z : 0.0;
+// The unit where none is asked for; each axis by itself has kMaxLatticeResolution cells at most, which keep
+// above the margin.
+glm::dvec3 automaticUnit(const glm::dvec3& size, const std::uint32_t triangleCount,
+                         const double typicalEdge) {
+    const glm::dvec3 forCount =
+        unitForCells(size, std::clamp(kCellsPerTriangle * triangleCount, kMinCells, kMostAutomaticCells));
+    const double side = std::max(kCellPerEdge * typicalEdge, kLeastCell * largestOf(size));
+    const glm::dvec3 forSize = glm::max(glm::dvec3(side), size / static_cast<double>(kMaxLatticeResolution));
+    return typicalEdge > 0.0 ? glm::min(forCount, forSize) : forCount;
 }
 
 // The lattice of `counts` cells with the box in its middle. Padding is measured by `longest` or the lattice's
@@ -136,21 +147,17 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
         choice.unit = extents.size; // one empty cell
     } else if (options.unit) {
         choice.unit = *options.unit;
-    } else {
-        const double forCount = kCellsPerTriangle * triangleCount;
-        const double forSize = cellsOfSide(extents.size, kCellPerEdge * typicalEdge);
-        const double automatic = std::clamp(std::max(forCount, forSize), kMinCells, kMostAutomaticCells);
-        const double cells = options.cells ? static_cast<double>(*options.cells) : automatic;
-        if (cells * sizeof(std::uint32_t) > static_cast<double>(kTableBudget)) {
-            throw Error(
-                ExitCode::outOfMemory,
-                fmt::format(
-                    "a meta table of {:.0f} cells takes {:.0f} MiB, more than the {} MiB allowed; choose "
-                    "--cells below {}",
-                    cells, cells * sizeof(std::uint32_t) / 0x1p20, kTableBudget >> 20u,
-                    kTableBudget / sizeof(std::uint32_t)));
+    } else if (options.cells) {
+        const double cells = static_cast<double>(*options.cells);
+        if (cells >= kTooManyCells) {
+            throw Error(ExitCode::outOfMemory,
+                        fmt::format("a lattice of {:.0f} cells has more than {} on an axis; choose --cells "
+                                    "below {:.0f}",
+                                    cells, kMaxLatticeResolution, kTooManyCells));
         }
         choice.unit = unitForCells(extents.size, cells);
+    } else {
+        choice.unit = automaticUnit(extents.size, triangleCount, typicalEdge);
     }
     const glm::dvec3 counts =
         options.partition ? glm::dvec3(options.partition->resolution) : cellCounts(extents.size, choice.unit);
@@ -178,17 +185,6 @@ LatticeChoice makeQuantumLattice(const Bounds& bounds, const std::uint32_t trian
     choice.lattice = place(extents, choice.unit, counts, 2.0 * extents.longest);
     choice.lattice.triangleCount = triangleCount;
     return choice;
-}
-
-void refuseOverBudget(const glm::dvec3& counts, const std::string& hint) {
-    const double bytes = product(counts) * sizeof(std::uint32_t);
-    if (bytes > static_cast<double>(kTableBudget)) {
-        throw Error(
-            ExitCode::outOfMemory,
-            fmt::format("a meta table of {:.0f} x {:.0f} x {:.0f} cells takes {:.0f} MiB, more than the "
-                        "{} MiB allowed; {}",
-                        counts.x, counts.y, counts.z, bytes / 0x1p20, kTableBudget >> 20u, hint));
-    }
 }
 
 glm::dvec3 toLattice(const Lattice& lattice, const glm::vec3 position) {

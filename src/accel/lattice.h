@@ -14,10 +14,13 @@ inline constexpr double kReferenceMargin = 0x1p-18;
 // The lattice keeps geometry this far inside, in the same measure.
 inline constexpr double kBoxPadding = 2.0 * kReferenceMargin;
 
-// Bytes that the table may take, 4 per cell.
+// Bytes that the table may take.
 inline constexpr std::uint64_t kTableBudget = std::uint64_t{1} << 30;
 
-// Cells that a table has at most where none are asked for.
+// The same where no cells are asked for: less than the 128 MiB that storage buffers must be able to hold.
+inline constexpr std::uint64_t kAutomaticTableBudget = std::uint64_t{96} << 20;
+
+// Cells that are chosen at most by the count of triangles, and by the planes of a tree.
 inline constexpr double kMostAutomaticCells = 0x1p24;
 
 struct LatticeChoice {
@@ -29,9 +32,9 @@ struct LatticeChoice {
 // The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
 // ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides; a partition brings
 // its own resolution. `typicalEdge`: the median of the triangles' longest edges, 0 where it does not matter;
-// small triangles in a large box get more cells for it. Throws Error(sceneRefused) for a scene too small or
-// too large for single precision and Error(outOfMemory) for more than kMaxLatticeResolution cells on an axis
-// or a table over kTableBudget.
+// small triangles in a large box get more cells for it, up to kMaxLatticeResolution on each axis. Throws
+// Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory) for more
+// than kMaxLatticeResolution cells on an axis.
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
                           const AccelerationOptions& options, double typicalEdge = 0.0);
 
@@ -41,10 +44,6 @@ LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
 // longest side.
 LatticeChoice makeQuantumLattice(const Bounds& bounds, std::uint32_t triangleCount,
                                  std::optional<double> quantum);
-
-// Throws Error(outOfMemory), naming the size and ending with `hint`, where a table of `counts` cells passes
-// kTableBudget.
-void refuseOverBudget(const glm::dvec3& counts, const std::string& hint);
 
 // World to lattice space, in double precision: exactly the map that the shaders round.
 glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);

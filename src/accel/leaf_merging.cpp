@@ -21,8 +21,7 @@ class Merging {
   public:
     Merging(const Lattice& lattice, const LeafList& list)
         : resolution(lattice.resolution), cellSize(1.0 / glm::dvec3(lattice.cellsPerUnit)),
-          leafOfCell(buildMetaTable(lattice.resolution, list.leaves).leafOfCell),
-          mergedInto(list.leaves.size()) {
+          table(buildMetaTable(lattice.resolution, list.leaves)), mergedInto(list.leaves.size()) {
         std::iota(mergedInto.begin(), mergedInto.end(), 0u);
         for (const Leaf& leaf : list.leaves) {
             const auto triangleIds = list.trianglesOf(leaf);
@@ -54,7 +53,7 @@ class Merging {
         }
         ivec3 cell = part.box.lo;
         cell[axis] = part.box.hi[axis];
-        const std::uint32_t aboveId = owner(leafOfCell[cellIndex(cell, uvec3(resolution))]);
+        const std::uint32_t aboveId = owner(table.leafAt(cell));
         Part& above = parts[aboveId];
         CellBox whole = part.box;
         whole.hi[axis] = above.box.hi[axis];
@@ -106,7 +105,7 @@ class Merging {
     ivec3 resolution;
     glm::dvec3 cellSize;
     std::vector<Part> parts; // [leafId]
-    std::vector<std::uint32_t> leafOfCell;
+    MetaTable table;
     std::vector<std::uint32_t> mergedInto; // [leafId], itself while it stands
 };
 

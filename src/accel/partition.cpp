@@ -30,12 +30,11 @@ void checkBox(const CellBox& box, const std::size_t boxId, const ivec3 resolutio
 }
 
 // The leaf ids of the boxes that hold a cell of `rows`, ascending.
-std::vector<std::uint32_t> leavesAt(const std::vector<RowOfCells>& rows, const MetaTable& table,
-                                    const uvec3 resolution) {
+std::vector<std::uint32_t> leavesAt(const std::vector<RowOfCells>& rows, const MetaTable& table) {
     std::vector<std::uint32_t> leafIds;
     for (const RowOfCells& row : rows) {
         for (int x = row.x; x < row.endX;) {
-            const std::uint32_t leafId = table.leafOfCell[cellIndex(ivec3(x, row.y, row.z), resolution)];
+            const std::uint32_t leafId = table.leafAt(ivec3(x, row.y, row.z));
             leafIds.push_back(leafId);
             x = boxOf(table.leaves[leafId]).hi.x;
         }
@@ -87,8 +86,7 @@ LeafList listTriangles(const Lattice& lattice, const std::span<const CellBox> bo
     const glm::dvec3 margin = referenceMargin(lattice);
     std::vector<std::vector<std::uint32_t>> leavesOf(corners.size());
     tbb::parallel_for(std::size_t{0}, corners.size(), [&](const std::size_t i) {
-        leavesOf[i] =
-            leavesAt(touchedRows(corners[i], lattice.resolution, margin), table, lattice.resolution);
+        leavesOf[i] = leavesAt(touchedRows(corners[i], lattice.resolution, margin), table);
     });
 
     for (const auto& leafIds : leavesOf) {

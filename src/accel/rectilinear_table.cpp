@@ -163,7 +163,7 @@ RectilinearTable buildRectilinearTable(const Lattice& lattice,
     result.depth = tree.depth;
     result.table = buildMetaTable(resolution, tree.leaves);
     if (exitBoxes) {
-        growExitBoxes(resolution, tree, result.table);
+        growExitBoxes(tree, result.table);
     }
     for (const std::uint32_t slot : tree.leafTriangles) {
         result.table.triangles.push_back(triangles[slot]);

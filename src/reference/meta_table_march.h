@@ -30,7 +30,7 @@ template <Invariants invariants, class Observer>
         require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
         require<invariants>(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
-        const std::uint32_t leafId = scene.leafAt(cell);
+        const std::uint32_t leafId = scene.table.leafAt(cell);
         const Leaf& leaf = scene.table.leaves[leafId];
         testTriangles(scene.tableTriangles(), ray, leaf.firstTriangle, leaf.triangleCount, trace);
         observe(MarchTurn{cell, leafId, leaf, trace});

@@ -21,7 +21,7 @@ template <Invariants invariants>
         require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
         require<invariants>(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
-        const Leaf& leaf = scene.table.leaves[scene.table.leafOfCell[cellIndex(cell, resolution)]];
+        const Leaf& leaf = scene.table.leaves[scene.table.leafAt(cell)];
         testTriangles(scene.table.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);

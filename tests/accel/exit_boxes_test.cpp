@@ -52,8 +52,7 @@ class ExitBoxes : public testing::TestWithParam<BoxCase> {
         for (ivec3 cell = box.lo; cell.z < box.hi.z; ++cell.z) {
             for (cell.y = box.lo.y; cell.y < box.hi.y; ++cell.y) {
                 for (cell.x = box.lo.x; cell.x < box.hi.x; ++cell.x) {
-                    const Leaf& other =
-                        leaves[structure.table.leafOfCell[cellIndex(cell, structure.lattice.resolution)]];
+                    const Leaf& other = leaves[structure.table.leafAt(cell)];
                     if (!std::ranges::includes(trianglesOf(leaf), trianglesOf(other))) {
                         return false;
                     }
@@ -130,7 +129,7 @@ TEST(ExitBoxRow, endsAtTheFirstTriangleThatIsNotItsOwn) {
                          leafOver({8, 0, 0}, {10, 1, 1}, 4, 0)},
                         {7, 7, 9, 9}};
     MetaTable table = buildMetaTable(resolution, list.leaves);
-    growExitBoxes(resolution, list, table);
+    growExitBoxes(list, table);
     const std::pair<int, int> expected[] = {{0, 4}, {2, 4}, {0, 10}, {6, 10}, {8, 10}};
     for (std::size_t leafId = 0; leafId < list.leaves.size(); ++leafId) {
         const auto [lo, hi] = boxOf(table.leaves[leafId]);

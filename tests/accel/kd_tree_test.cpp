@@ -257,7 +257,7 @@ TEST(TreeThreads, doNotChangeTheTree) {
         expectSameBytes(several.tree.nodes, one.tree.nodes);
         expectSameBytes(several.tree.leaves, one.tree.leaves);
         expectSameBytes(several.tree.leafTriangles, one.tree.leafTriangles);
-        expectSameBytes(several.table.leafOfCell, one.table.leafOfCell);
+        expectSameBytes(several.table.words, one.table.words);
         expectSameBytes(several.table.leaves, one.table.leaves);
         expectSameBytes(several.triangles, one.triangles);
         EXPECT_EQ(several.tree.depth, one.tree.depth);

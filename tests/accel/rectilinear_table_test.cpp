@@ -53,7 +53,7 @@ void forEachCell(const glm::uvec3 resolution, const Visit& visit) {
 }
 
 const Leaf& leafAt(const RectilinearTable& table, const glm::ivec3 cell) {
-    return table.table.leaves[table.table.leafOfCell[cellIndex(cell, table.planes.layout().resolution)]];
+    return table.table.leaves[table.table.leafAt(cell)];
 }
 
 TEST(RectilinearTable, hasThePlanesOfTheTreeToTheBit) {
@@ -103,7 +103,7 @@ TEST(RectilinearTable, carriesTheTreeExactly) {
     forEachCell(planes.layout().resolution, [&](const glm::ivec3 cell) {
         const glm::vec3 corner(planes.plane(0, cell.x), planes.plane(1, cell.y), planes.plane(2, cell.z));
         const std::size_t planned = plannedLeaf(plan, corner);
-        const std::uint32_t leafId = made.table.table.leafOfCell[cellIndex(cell, planes.layout().resolution)];
+        const std::uint32_t leafId = made.table.table.leafAt(cell);
         ASSERT_EQ(tableLeafOf.emplace(planned, leafId).first->second, leafId);
         plannedOf[leafId].insert(planned);
     });
@@ -118,14 +118,14 @@ TEST(RectilinearTable, everyCellNamesALeafThatHoldsIt) {
     for (const bool exitBoxes : {false, true}) {
         const Made made = make(triangleSoup(2000, 6), wanted(10), exitBoxes);
         const glm::uvec3 resolution = made.table.planes.layout().resolution;
-        ASSERT_EQ(made.table.table.leafOfCell.size(), made.table.planes.layout().cellCount);
         std::size_t volume = 0; // of the leaves together
         for (const Leaf& leaf : made.table.table.leaves) {
             const glm::ivec3 size = unpackCell(leaf.hi) - unpackCell(leaf.lo);
             volume += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                       static_cast<std::size_t>(size.z);
         }
-        EXPECT_EQ(volume == made.table.table.leafOfCell.size(), !exitBoxes); // those tile, exit boxes overlap
+        EXPECT_EQ(volume == made.table.planes.layout().cellCount,
+                  !exitBoxes); // those tile, exit boxes overlap
         forEachCell(resolution, [&](const glm::ivec3 cell) {
             const Leaf& leaf = leafAt(made.table, cell);
             ASSERT_TRUE(glm::all(glm::lessThanEqual(unpackCell(leaf.lo), cell)));
@@ -162,7 +162,7 @@ TEST(RectilinearTable, ofAnEmptySceneIsOneEmptyCell) {
     for (const RectilinearDepth depth : {RectilinearDepth{20, true}, RectilinearDepth{20, false}}) {
         const RectilinearTable table = make({}, depth, true).table;
         EXPECT_EQ(table.planes.layout().resolution, glm::uvec3(1));
-        EXPECT_EQ(table.table.leafOfCell, std::vector<std::uint32_t>{0});
+        EXPECT_EQ(table.table.words, std::vector<std::uint32_t>{0});
         ASSERT_EQ(table.table.leaves.size(), 1u);
         EXPECT_EQ(table.table.leaves[0].triangleCount, 0u);
         EXPECT_TRUE(table.table.triangles.empty());
@@ -232,7 +232,7 @@ TEST(RectilinearTable, doesNotDependOnThreads) {
     const RectilinearTable one = makeOn(1);
     const RectilinearTable four = makeOn(4);
     EXPECT_EQ(one.planes.planes(), four.planes.planes());
-    EXPECT_EQ(one.table.leafOfCell, four.table.leafOfCell);
+    EXPECT_EQ(one.table.words, four.table.words);
     ASSERT_EQ(one.table.leaves.size(), four.table.leaves.size());
     EXPECT_EQ(std::memcmp(one.table.leaves.data(), four.table.leaves.data(),
                           one.table.leaves.size() * sizeof(Leaf)),

@@ -31,7 +31,7 @@ class InfoTest(ProgramTest):
         self.assertEqual(report["triangles"], 32)
         self.assertEqual(report["bounds"], {"min": [-0.278, 0.0, -0.2796], "max": [0.278, 0.5488, 0.2796]})
         self.assertEqual(report["lattice"], {"resolution": [6, 6, 6], "unit": [0.1, 0.1, 0.1]})
-        self.assertEqual((report["table"]["cells"], report["bytes"]["table"]), (216, 216 * 4))
+        self.assertEqual((report["table"]["cells"], report["bytes"]["table"]), (216, (1 + 8**3) * 4))  # one brick
 
     def test_scale(self):
         report = self.info(SCENES / "cornell.glb", "--scale", "-2")
@@ -52,7 +52,7 @@ class InfoTest(ProgramTest):
         table = self.info(SCENES / "objects.glb", "--table", "rectilinear")["rectilinear"]
         x, y, z = (planes - 1 for planes in table["planes"])
         self.assertEqual(table["cells"], x * y * z)
-        self.assertEqual(table["bytes"]["table"], 4 * table["cells"])
+        self.assertLess(table["bytes"]["table"], 4 * table["cells"])
         self.assertEqual(table["bytes"]["triangles"], 48 * table["references"])
         self.assertGreater(table["seconds"], 0)
         shallow = self.info(SCENES / "objects.glb", "--table", "rectilinear", "--tree-depth", "3")["rectilinear"]

@@ -23,11 +23,11 @@ const TriangleRecord& recordOf(const StructureSet& scene, const std::uint32_t tr
 }
 
 std::uint32_t leafBeside(const AccelerationStructure& scene, const ivec3 cell) {
-    return isInLattice(cell, scene.lattice.resolution) ? scene.leafAt(cell) : kNoLeaf;
+    return isInLattice(cell, scene.lattice.resolution) ? scene.table.leafAt(cell) : kNoLeaf;
 }
 
 CellFacts cellFacts(const AccelerationStructure& scene, const CellPlace& place) {
-    const std::uint32_t leafId = scene.leafAt(place.cell);
+    const std::uint32_t leafId = scene.table.leafAt(place.cell);
     return {place, leafId,
             uvec3(leafBeside(scene, place.cell + ivec3(place.side.x, 0, 0)),
                   leafBeside(scene, place.cell + ivec3(0, place.side.y, 0)),

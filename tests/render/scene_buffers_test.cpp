@@ -74,7 +74,7 @@ TEST_F(SceneBuffers, refuseTooManyChunks) {
 TEST_F(SceneBuffers, refuseATableOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
-    large.table.leafOfCell.resize(limit / sizeof(std::uint32_t) + 1);
+    large.table.words.resize(limit / sizeof(std::uint32_t) + 1);
     const auto load = [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); };
     expectError(ExitCode::outOfMemory, "meta table", load);
     expectError(ExitCode::outOfMemory, "maxStorageBufferRange", load);

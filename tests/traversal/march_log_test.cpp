@@ -69,7 +69,7 @@ TEST_P(MarchLogs, leadFromBoxToBox) {
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const MarchStep& step = steps[i];
             const CellBox& box = step.exitBox;
-            ASSERT_EQ(step.leafId, structure.leafAt(step.cell));
+            ASSERT_EQ(step.leafId, structure.table.leafAt(step.cell));
             ASSERT_EQ(step.cell, clamp(step.cell, box.lo, box.hi - 1));
             ASSERT_EQ(step.triangleCount, structure.table.leaves[step.leafId].triangleCount);
             ASSERT_EQ(step.tNear, tNear);

@@ -186,8 +186,7 @@ TEST_P(Structures, ropesLeadToTheNeighbours) {
                     while (!isLeaf(tree.nodes[nodeId])) {
                         nodeId = childWithCell(nodeId, tree.nodes[nodeId], cell);
                     }
-                    ASSERT_EQ(leafOf(tree.nodes[nodeId]),
-                              structure.table.leafOfCell[cellIndex(cell, lattice.resolution)]);
+                    ASSERT_EQ(leafOf(tree.nodes[nodeId]), structure.table.leafAt(cell));
                 }
             }
         }
