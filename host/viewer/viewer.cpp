@@ -136,6 +136,8 @@ class Viewer {
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
+        state.size = presenter.size();
+        const ViewCamera camera = cameraFor(*loaded); // refuses one that the scene does not have
         auto next = std::make_unique<Stage>(device, loaded);
         dropCanvases();
         stage = std::move(next);
@@ -149,27 +151,31 @@ class Viewer {
             state.selected.reset();
             state.march.reset();
         }
-        const bool isFirst = !state.scene;
         state.scene = std::move(loaded);
+        state.camera = camera;
         state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
-        if (isOther) {
-            state.size = presenter.size();
-            state.camera = isFirst ? options.chooseCamera(*state.scene->whole, aspect()) : firstCamera();
-        }
         isStale = true;
     }
 
-    // Of a scene that was dropped on the window.
-    ViewCamera firstCamera() const {
-        const Scene& scene = *state.scene->whole;
-        return scene.cameras.empty() ? framing(state.scene->bounds, aspect(), ViewCamera().verticalFov)
-                                     : ofFile(scene, 0, distanceOfScene(scene.cameras[0].eye));
+    // Chosen on the command line; the first one, of a scene that was dropped on the window; else the one that
+    // the window has.
+    ViewCamera cameraFor(const LoadedScene& loaded) const {
+        const Scene& scene = *loaded.whole;
+        if (!state.scene) {
+            return options.chooseCamera(scene, aspect());
+        }
+        if (state.scene->request.file == loaded.request.file) {
+            return followed(state.camera, *state.scene->whole, scene,
+                            glm::length(state.camera.target - state.camera.eye));
+        }
+        return scene.cameras.empty() ? framing(loaded.bounds, aspect(), ViewCamera().verticalFov)
+                                     : ofFile(scene, 0, distanceOf(loaded, scene.cameras[0].eye));
     }
 
     float aspect() const { return static_cast<float>(state.size.x) / static_cast<float>(state.size.y); }
 
-    float distanceOfScene(const glm::vec3& eye) const {
-        const glm::vec3 middle = 0.5f * (state.scene->bounds.lo + state.scene->bounds.hi);
+    static float distanceOf(const LoadedScene& loaded, const glm::vec3& eye) {
+        const glm::vec3 middle = 0.5f * (loaded.bounds.lo + loaded.bounds.hi);
         const float distance = glm::length(middle - eye);
         return distance > 0.0f ? distance : 1.0f;
     }
@@ -232,8 +238,7 @@ class Viewer {
             nextCamera();
             break;
         case Action::printCamera:
-            state.say(optionsText(state.camera));
-            window.copy(optionsText(state.camera));
+            printCamera();
             break;
         case Action::saveScreenshot:
             save(".png");
@@ -265,6 +270,12 @@ class Viewer {
         }
     }
 
+    void printCamera() {
+        const std::string text = optionsText(state.camera, *state.scene->whole);
+        state.say(text);
+        window.copy(text);
+    }
+
     void frameSelected() {
         if (!state.selected) {
             return;
@@ -290,7 +301,7 @@ class Viewer {
         }
         const std::size_t next =
             state.camera.fileCamera ? (*state.camera.fileCamera + 1) % cameras.size() : 0;
-        state.camera = ofFile(*state.scene->whole, next, distanceOfScene(cameras[next].eye));
+        state.camera = ofFile(*state.scene->whole, next, distanceOf(*state.scene, cameras[next].eye));
         state.say(fmt::format("camera {} '{}'", next, cameras[next].name));
     }
 
