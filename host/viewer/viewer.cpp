@@ -121,7 +121,7 @@ class Viewer {
                 throw Error(static_cast<ExitCode>(answer->exitCode), answer->refusal);
             }
             state.say(answer->refusal);
-            state.file = state.scene->request.file;
+            goBack();
             return;
         }
         try {
@@ -131,7 +131,18 @@ class Viewer {
                 throw;
             }
             state.say(error.what());
+            goBack();
         }
+    }
+
+    // What was asked for is refused: nobody wants it any more.
+    void goBack() {
+        const SceneRequest& shown = state.scene->request;
+        state.file = shown.file;
+        state.settings.import = shown.import;
+        state.settings.light = shown.light;
+        state.settings.hiddenMeshes = shown.hiddenMeshes;
+        readings = shown.reading;
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
