@@ -20,8 +20,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace metamarch::cli {
@@ -91,6 +93,11 @@ void runView(const ViewerArguments& arguments) {
     arguments.path.check();
     arguments.light.check();
     arguments.tone.check();
+    std::error_code error;
+    if (!arguments.shaderFolder.empty() && !std::filesystem::is_directory(arguments.shaderFolder, error)) {
+        throw Error(ExitCode::badArguments,
+                    fmt::format("--shaders {}: there is no such folder", arguments.shaderFolder));
+    }
     viewer::ViewerOptions options;
     options.size = parseSize("--size", arguments.size);
     options.scene.file = arguments.scenePath;

@@ -50,12 +50,18 @@ bool FileWatch::hasChanged() {
     State current = look();
     const bool isQuiet = current == seen;
     seen = std::move(current);
-    // A file that is being replaced is missing for a moment.
-    if (!isQuiet || seen == known || seen.size() < known.size()) {
+    if (!isQuiet) {
         return false;
     }
-    known = seen;
-    return true;
+    // A file that is missing is no change: it is being replaced, or was an editor's own. It stays known, and
+    // is one when it comes back.
+    bool isOther = false;
+    for (const auto& [file, time] : seen) {
+        const auto [at, isNew] = known.try_emplace(file, time);
+        isOther = isOther || isNew || at->second != time;
+        at->second = time;
+    }
+    return isOther;
 }
 
 } // namespace metamarch::viewer

@@ -51,6 +51,11 @@ void letGo(ViewCamera& camera) {
     }
 }
 
+// Of one of the file's cameras: another than the file says.
+bool hasOwnFov(const ViewCamera& camera, const Scene& scene) {
+    return camera.verticalFov != toDegrees(scene.cameras[*camera.fileCamera].verticalFov);
+}
+
 std::string pointText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
 } // namespace
@@ -73,6 +78,26 @@ ViewCamera ofFile(const Scene& scene, const std::size_t index, const float dista
         camera.verticalExtent = source.verticalExtent;
     }
     return camera;
+}
+
+ViewCamera followed(const ViewCamera& camera, const Scene& before, const Scene& now, const float distance) {
+    if (!camera.fileCamera) {
+        return camera;
+    }
+    ViewCamera moved = camera;
+    if (*camera.fileCamera >= now.cameras.size()) {
+        letGo(moved);
+        return moved;
+    }
+    const ViewCamera fresh = ofFile(now, *camera.fileCamera, distance);
+    moved.eye = fresh.eye;
+    moved.target = fresh.target;
+    moved.up = fresh.up;
+    moved.verticalExtent = fresh.verticalExtent;
+    if (!hasOwnFov(camera, before)) {
+        moved.verticalFov = fresh.verticalFov;
+    }
+    return moved;
 }
 
 ViewCamera framing(const Bounds& bounds, const float aspect, const double verticalFov) {
@@ -102,7 +127,7 @@ ViewCamera framing(const Bounds& bounds, const float aspect, const ViewCamera& f
 SceneCamera sceneCameraOf(const ViewCamera& camera, const Scene& scene) {
     SceneCamera made =
         camera.fileCamera ? scene.cameras[*camera.fileCamera] : lookAt(camera.eye, camera.target, camera.up);
-    if (!camera.fileCamera || camera.verticalFov != toDegrees(made.verticalFov)) {
+    if (!camera.fileCamera || hasOwnFov(camera, scene)) {
         made.verticalFov = static_cast<float>(camera.verticalFov * std::numbers::pi / 180.0);
     }
     if (!camera.fileCamera && camera.verticalExtent) {
@@ -122,7 +147,7 @@ CameraOptions lensOf(const ViewCamera& camera) {
     return lens;
 }
 
-std::string optionsText(const ViewCamera& camera) {
+std::string optionsText(const ViewCamera& camera, const Scene& scene) {
     std::string text;
     if (camera.fileCamera) {
         text = fmt::format("--camera {}", *camera.fileCamera);
@@ -135,7 +160,7 @@ std::string optionsText(const ViewCamera& camera) {
     }
     if (camera.verticalExtent && !camera.fileCamera) {
         text += fmt::format(" --orthographic {}", *camera.verticalExtent);
-    } else if (!camera.verticalExtent && !camera.fileCamera) {
+    } else if (!camera.verticalExtent && (!camera.fileCamera || hasOwnFov(camera, scene))) {
         text += fmt::format(" --vfov {}", camera.verticalFov);
     }
     if (camera.apertureRadius > 0.0f) {

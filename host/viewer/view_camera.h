@@ -28,6 +28,10 @@ struct ViewCamera {
 // The file's camera `index`, with the target at `distance` along its view.
 ViewCamera ofFile(const Scene& scene, std::size_t index, float distance);
 
+// After `before` was read again as `now`: where it was one of the file's cameras it is that one as it is now,
+// or stays where it is if that is gone. `distance` as above.
+ViewCamera followed(const ViewCamera& camera, const Scene& before, const Scene& now, float distance);
+
 // Sees the whole of `bounds`: from where the command line looks by default, or, with `from`, in that camera's
 // direction.
 ViewCamera framing(const Bounds& bounds, float aspect, double verticalFov);
@@ -37,8 +41,8 @@ ViewCamera framing(const Bounds& bounds, float aspect, const ViewCamera& from);
 SceneCamera sceneCameraOf(const ViewCamera& camera, const Scene& scene);
 CameraOptions lensOf(const ViewCamera& camera);
 
-// The options of `metamarch render` that make this camera again, to the bit.
-std::string optionsText(const ViewCamera& camera);
+// The options of `metamarch render` that make this camera of `scene` again, to the bit.
+std::string optionsText(const ViewCamera& camera, const Scene& scene);
 
 // All of these let go of the file's camera. Angles in radians.
 

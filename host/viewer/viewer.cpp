@@ -141,7 +141,7 @@ class Viewer {
         }
     }
 
-    // To what the scene on the stage was asked with.
+    // What was asked for is refused: nobody wants it any more.
     void goBack(const std::string& refusal) {
         state.say(refusal);
         const SceneRequest& shown = state.scene->request;
@@ -149,10 +149,13 @@ class Viewer {
         state.settings.import = shown.import;
         state.settings.light = shown.light;
         state.settings.hiddenMeshes = shown.hiddenMeshes;
+        readings = shown.reading;
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
+        state.size = presenter.size();
+        const ViewCamera camera = cameraFor(*loaded); // refuses one that the scene does not have
         auto next = std::make_unique<Stage>(device, loaded);
         dropPictures();
         stage = std::move(next);
@@ -166,14 +169,23 @@ class Viewer {
             state.selected.reset();
             state.march.reset();
         }
-        if (isOther) {
-            state.size = presenter.size();
-            state.camera = state.scene ? firstCamera(*loaded, state.aspect())
-                                       : options.chooseCamera(*loaded->whole, state.aspect());
-        }
         state.scene = std::move(loaded);
+        state.camera = camera;
         state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
         isStale = true;
+    }
+
+    // Chosen on the command line; the first one, of a scene that was dropped on the window; else the one that
+    // the window has.
+    ViewCamera cameraFor(const LoadedScene& loaded) const {
+        if (!state.scene) {
+            return options.chooseCamera(*loaded.whole, state.aspect());
+        }
+        if (state.scene->request.file == loaded.request.file) {
+            return followed(state.camera, *state.scene->whole, *loaded.whole,
+                            glm::length(state.camera.target - state.camera.eye));
+        }
+        return firstCamera(loaded, state.aspect());
     }
 
     void takeDropped(const Input& input) {
@@ -226,8 +238,7 @@ class Viewer {
 
     void act(const Action action) {
         if (action == Action::printCamera) {
-            state.say(optionsText(state.camera));
-            window.copy(optionsText(state.camera));
+            printCamera();
         } else if (action == Action::saveScreenshot) {
             save(".png");
         } else if (action == Action::saveExr) {
@@ -235,6 +246,12 @@ class Viewer {
         } else if (action == Action::reload) {
             readAgain();
         }
+    }
+
+    void printCamera() {
+        const std::string text = optionsText(state.camera, *state.scene->whole);
+        state.say(text);
+        window.copy(text);
     }
 
     void save(const char* const ending) {

@@ -1,0 +1,49 @@
+"""What is under the cursor: a triangle, and the march of a ray to it."""
+from viewer import CORNELL, ViewerTest, main
+
+# host/viewer/overlay.cpp; without those whose ink lets the picture through.
+PICKED = bytes((255, 210, 60))
+HIT = bytes((255, 60, 90))
+
+
+def count(picture, color):
+    return sum(picture[2][i:i + 3] == color for i in range(0, len(picture[2]), 3))
+
+
+class PickTest(ViewerTest):
+    def test_pick_and_march(self):
+        viewer = self.open(CORNELL, "--spp", "1")
+        viewer.wait_for_samples()
+        bare = viewer.wait_for_still()
+        self.assertEqual(count(bare, PICKED) + count(bare, HIT), 0)
+
+        viewer.click(80, 100)
+        picked = viewer.wait_for_still()
+        self.assertGreater(count(picked, PICKED), 20)
+
+        viewer.click(80, 100, "Alt_L")
+        marched = viewer.wait_for_still()
+        self.assertGreater(count(marched, HIT), 20)
+        self.assertNotEqual(marched, picked)
+
+        viewer.drag((80, 60), (110, 70))  # the ray stays where it was, the camera does not
+        turned = viewer.wait_for_still()
+        self.assertNotEqual(turned, marched)
+        self.assertGreater(count(turned, HIT), 0)
+        self.quit(viewer)
+
+    def test_a_click_beside_the_scene_picks_nothing(self):
+        viewer = self.open(CORNELL, "--spp", "1", "--eye", "0,0,20", "--target", "0,0,0")
+        bare = viewer.wait_for_still()
+        viewer.click(80, 60)
+        self.assertNotEqual(viewer.wait_for_still(), bare)
+        viewer.click(3, 3)
+        self.assert_shows(viewer, bare)
+        viewer.click(3, 3, "Alt_L")
+        viewer.click(3, 3, "Control_L")
+        viewer.settle()
+        self.quit(viewer)
+
+
+if __name__ == "__main__":
+    main()

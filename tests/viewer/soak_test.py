@@ -1,0 +1,68 @@
+"""The viewer for a while: METAMARCH_SOAK_SECONDS, 15 by default. Its memory must not grow."""
+import os
+import random
+import re
+import shutil
+import sys
+import time
+from pathlib import Path
+
+from viewer import CORNELL, OBJECTS, READY, ViewerTest, main
+
+SECONDS = float(os.environ.get("METAMARCH_SOAK_SECONDS", "15"))
+WARM_ROUNDS = 12  # until every traversal has been used
+# Heaps of the driver and its compiler breathe by some MiB; what leaks in each round would be far more in a long soak.
+MOST_GROWTH = 24  # MiB
+
+
+def resident(process):
+    status = Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1]) / 1024
+
+
+class SoakTest(ViewerTest):
+    def round(self, viewer, scene):
+        """Everything that makes and drops things on the device, and back to where it began."""
+        dice = random.Random(1)
+        for _ in range(3):
+            start = dice.randrange(20, 140), dice.randrange(20, 100)
+            viewer.drag(start, (start[0] + dice.randrange(-20, 20), start[1] + dice.randrange(-15, 15)))
+            viewer.settle()
+        viewer.key("v")
+        viewer.settle()
+        viewer.key("Shift_L", "v")
+        for keys in ("t", "x"):
+            viewer.key(keys)
+            viewer.settle()
+        viewer.key("x")
+        for _ in range(2):
+            viewer.resize(dice.randrange(100, 200), dice.randrange(100, 150))
+            viewer.settle()
+        viewer.resize(160, 120)
+        for source in (OBJECTS, CORNELL):
+            shutil.copyfile(source, scene)
+            viewer.key("r")
+            viewer.settle()
+            viewer.wait_for_title(READY)
+        viewer.key("Home")
+        viewer.settle()
+
+    def test_memory_stays_flat(self):
+        scene = self.tmp / "scene.glb"
+        shutil.copyfile(CORNELL, scene)
+        viewer = self.open(scene, "--spp", "2", panels=True)
+        end = time.monotonic() + SECONDS
+        sizes = []
+        while len(sizes) < 2 or time.monotonic() < end:
+            self.round(viewer, scene)
+            sizes.append(resident(viewer.process))
+        self.quit(viewer)
+        warm = min(WARM_ROUNDS, len(sizes) // 2)
+        curve = ", ".join(f"{size:.1f}" for size in sizes[::max(1, len(sizes) // 20)])
+        print(f"{len(sizes)} rounds; resident MiB: {sizes[warm]:.1f} after {warm + 1}, {sizes[-1]:.1f} at the end; {curve}",
+              file=sys.stderr)
+        self.assertLess(sizes[-1] - sizes[warm], MOST_GROWTH)
+
+
+if __name__ == "__main__":
+    main()
