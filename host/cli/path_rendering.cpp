@@ -1,13 +1,13 @@
 #include "cli/path_rendering.h"
 
 #include "cli/progress.h"
-#include "cli/stopwatch.h"
 #include "cli/warnings.h"
 #include "image/film_image.h"
 #include "image/picture_header.h"
 #include "reference/path.h"
 #include "render/path_renderer.h"
 #include "scene/shading.h"
+#include "stopwatch.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "cli/primary_rendering.h"
 
 #include "cli/progress.h"
-#include "cli/stopwatch.h"
 #include "image/primary_image.h"
 #include "reference/primary.h"
 #include "render/primary_renderer.h"
 #include "scene/shading.h"
+#include "stopwatch.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,6 @@
 #include "cli/path_rendering.h"
 #include "cli/primary_rendering.h"
 #include "cli/scene_options.h"
-#include "cli/stopwatch.h"
 #include "cli/structure_options.h"
 #include "cli/structure_report.h"
 #include "cli/tone_options.h"
@@ -22,6 +21,7 @@
 #include "scene/lit_scene.h"
 #include "scene/view.h"
 #include "shader_library.h"
+#include "stopwatch.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -75,16 +75,15 @@ void drawTone(ToneMapping& tone) {
     ImGui::SliderFloat("exposure", &tone.exposure, -10.0f, 10.0f, "%.2f stops");
 }
 
-void drawLight(LightChoice& light) {
+void drawLight(LightChoice& light, const bool sceneHasLight) {
     using Kind = LightChoice::Kind;
-    constexpr const char* kKinds[] = {"the scene's", "map", "background", "sky"};
+    constexpr const char* kKinds[] = {"the scene's, or a sky", "map", "background", "sky"};
     int kind = static_cast<int>(light.kind);
-    if (ImGui::Combo("light", &kind, kKinds, IM_ARRAYSIZE(kKinds))) {
+    if (ImGui::Combo("light", &kind, kKinds, IM_ARRAYSIZE(kKinds)) &&
+        !(static_cast<Kind>(kind) == Kind::map && light.map.empty())) {
         light.kind = static_cast<Kind>(kind);
-        if (light.kind == Kind::map && light.map.empty()) {
-            light.kind = Kind::automatic;
-        }
     }
+    const bool isSky = light.kind == Kind::sky || (light.kind == Kind::automatic && !sceneHasLight);
     if (light.map.empty()) {
         ImGui::TextDisabled("drop a .hdr or .exr map on the window");
     }
@@ -95,11 +94,12 @@ void drawLight(LightChoice& light) {
     if (light.kind == Kind::background) {
         ImGui::ColorEdit3("radiance", &light.background.x,
                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
-    } else {
+    }
+    if (light.kind == Kind::map || isSky) {
         ImGui::SliderFloat("intensity", &light.intensity, 0.01f, 100.0f, "%.2f",
                            ImGuiSliderFlags_Logarithmic);
     }
-    if (light.kind == Kind::sky || light.kind == Kind::automatic) {
+    if (isSky) {
         ImGui::SliderAngle("sun's height", &light.sunElevation, -10.0f, 90.0f);
         ImGui::SliderAngle("sun's azimuth", &light.sunAzimuth, -180.0f, 180.0f);
     }
@@ -120,7 +120,7 @@ void drawRenderer(ViewerState& state) {
     }
     drawTraversals(settings);
     drawTone(settings.tone);
-    drawLight(settings.light);
+    drawLight(settings.light, state.scene && state.scene->hasLight);
 }
 
 void drawCamera(ViewerState& state) {

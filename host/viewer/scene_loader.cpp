@@ -1,23 +1,13 @@
 #include "viewer/scene_loader.h"
 
 #include "error.h"
+#include "stopwatch.h"
 
-#include <chrono>
 #include <new>
 #include <utility>
 
 namespace metamarch::viewer {
 namespace {
-
-class Timer {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-};
 
 std::shared_ptr<const Scene> withoutMeshes(const std::shared_ptr<const Scene>& whole,
                                            const std::set<std::uint32_t>& hidden) {
@@ -89,22 +79,23 @@ SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
         auto loaded = std::make_shared<LoadedScene>();
         loaded->request = request;
         const bool isRead = last && sameFile(last->request, request);
-        const Timer import;
+        const Stopwatch import;
         loaded->whole =
             isRead ? last->whole : std::make_shared<const Scene>(loadScene(request.file, request.import));
         loaded->importSeconds = isRead ? last->importSeconds : import.seconds();
         loaded->bounds = isRead ? last->bounds : boundsOf(*loaded->whole);
+        loaded->hasLight = isRead ? last->hasLight : hasLight(*loaded->whole);
         loaded->warnings = loaded->whole->warnings;
 
         const bool isBuilt = isRead && last->request.hiddenMeshes == request.hiddenMeshes;
-        const Timer build;
+        const Stopwatch build;
         loaded->shown = isBuilt ? last->shown : withoutMeshes(loaded->whole, request.hiddenMeshes);
         loaded->structure = isBuilt ? last->structure
                                     : std::make_shared<const AccelerationStructure>(
                                           buildAccelerationStructure(*loaded->shown, request.structure));
         loaded->buildSeconds = isBuilt ? last->buildSeconds : build.seconds();
 
-        const Timer light;
+        const Stopwatch light;
         LitScene lit = lightScene(*loaded->shown, request.file.string(), request.path, request.light);
         loaded->shading = std::move(lit.shading);
         loaded->warnings.insert(loaded->warnings.end(), lit.warnings.begin(), lit.warnings.end());

@@ -9,10 +9,6 @@ namespace {
 constexpr double kQuickSeconds = 0.025;
 // A submission while nothing changes; the window waits for one at most.
 constexpr double kCalmSeconds = 0.06;
-// Submissions of a frame that brings the coarse picture up to date. Their first ones are small, as nobody
-// knows yet how long they take.
-constexpr int kMostQuickSubmissions = 8;
-
 constexpr double kMeasuredSeconds = 0.5; // that a rate is a mean over
 
 constexpr std::uint32_t kEmptyPixel = 0xff201c1a; // dark, in either order of colours
@@ -53,13 +49,15 @@ bool Sides::isWhole() const {
 
 bool Sides::advance() {
     if (!isWhole()) {
-        for (int i = 0; i < kMostQuickSubmissions && !isWhole(); ++i) {
+        // The first submissions are small: nobody knows yet how long they take.
+        const Stopwatch stopwatch;
+        do {
             for (const auto& canvas : canvases) {
                 if (!canvas->isWhole()) {
                     canvas->advance(share(kQuickSeconds));
                 }
             }
-        }
+        } while (!isWhole() && stopwatch.seconds() < kQuickSeconds);
         return true;
     }
     bool hasWorked = false;
@@ -108,8 +106,7 @@ void Sides::measure(Statistics& statistics) {
     }
     statistics.samples = canvases.empty() ? 0.0 : plate().samples();
 
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - measured).count();
+    const double seconds = sinceMeasured.seconds();
     if (seconds < kMeasuredSeconds) {
         return;
     }
@@ -123,7 +120,7 @@ void Sides::measure(Statistics& statistics) {
         statistics.testsPerRay = (total.tests - countersBefore.tests) / rays;
     }
     countersBefore = total;
-    measured = now;
+    sinceMeasured = Stopwatch();
     frames = 0;
 }
 

@@ -1,9 +1,9 @@
 // The window's picture: one canvas, or two side by side.
 #pragma once
+#include "stopwatch.h"
 #include "viewer/canvas.h"
 #include "viewer/viewer_state.h"
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,7 +50,7 @@ class Sides {
     glm::uvec2 size{0};
     Shot shot;
 
-    std::chrono::steady_clock::time_point measured = std::chrono::steady_clock::now();
+    Stopwatch sinceMeasured;
     int frames = 0; // since then
     render::PathCounters countersBefore;
 };

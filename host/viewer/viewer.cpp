@@ -3,7 +3,7 @@
 #include "error.h"
 #include "render/view_names.h"
 #include "scene/scene_file.h"
-#include "shader_library.h"
+#include "stopwatch.h"
 #include "viewer/actions.h"
 #include "viewer/controls.h"
 #include "viewer/overlay.h"
@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -26,17 +25,11 @@
 namespace metamarch::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // While nothing happens the window sleeps for so long at a time, less while a scene is on its way. Dear ImGui
 // takes some frames to answer an event.
 constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
-
-double secondsBetween(const Clock::time_point from, const Clock::time_point to) {
-    return std::chrono::duration<double>(to - from).count();
-}
 
 bool isMap(const std::filesystem::path& file) {
     const std::string ending = lowerCaseEnding(file);
@@ -65,16 +58,15 @@ class Viewer {
     Viewer& operator=(const Viewer&) = delete;
 
     void run() {
-        Clock::time_point last = Clock::now();
+        Stopwatch frame;
         while (!window.isClosing()) {
             const double nap = quietFrames < kFramesAfterEvent ? 0.0
                                : loader.isBusy()               ? kBusySeconds
                                                                : kIdleSeconds;
-            const Clock::time_point asleep = Clock::now();
+            const Stopwatch asleep;
             const Input input = window.poll(nap);
-            const Clock::time_point now = Clock::now();
-            quietFrames = secondsBetween(asleep, now) < nap ? 0 : quietFrames + 1;
-            const double seconds = secondsBetween(std::exchange(last, now), now);
+            quietFrames = asleep.seconds() < nap ? 0 : quietFrames + 1;
+            const double seconds = std::exchange(frame, Stopwatch()).seconds();
             takeScene();
             takeDropped(input);
             reloadWhatChanged();

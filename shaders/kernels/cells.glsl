@@ -4,9 +4,9 @@
 #include "shared/cells.h"
 #include "traversal/meta_table.glsl"
 
-layout(local_size_x = kTilePixels) in;
-
-uint leafBeside(const ivec3 cell) { return isInLattice(cell, lattice.resolution) ? leafAt(cell, lattice.resolution) : kNoLeaf; }
+uint leafBeside(const ivec3 cell) {
+    return isInLattice(cell, lattice.resolution) ? leafAt(cell, lattice.resolution) : kNoLeaf;
+}
 
 CellFacts loadCellFacts(const CellPlace place) {
     const uint leafId = leafAt(place.cell, lattice.resolution);
@@ -17,7 +17,7 @@ CellFacts loadCellFacts(const CellPlace place) {
 }
 
 void main() {
-    const uvec2 pixel = pixelOfTile();
+    const uvec2 pixel = pixelOfTile(push.firstTile + gl_WorkGroupID.x, push.tilesPerRow);
     if (!isInPicture(pixel)) {
         return;
     }

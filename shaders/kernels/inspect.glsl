@@ -3,10 +3,8 @@
 #include "lib/shading.glsl"
 #include "shared/inspect.h"
 
-layout(local_size_x = kTilePixels) in;
-
 void main() {
-    const uvec2 pixel = pixelOfTile();
+    const uvec2 pixel = pixelOfTile(push.firstTile + gl_WorkGroupID.x, push.tilesPerRow);
     if (!isInPicture(pixel)) {
         return;
     }

@@ -2,12 +2,10 @@
 // path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
 // neighbours' longer paths, and no state of a path ever leaves the registers.
 #include "lib/shading.glsl"
+#include "lib/tiles.glsl"
 #include "shared/film.h"
 #include "shared/path.h"
 #include "shared/path_input.h"
-#include "shared/primary.h"
-
-layout(local_size_x = kTilePixels) in;
 
 layout(std140, binding = kBindInput) uniform InputBuffer {
     Camera camera;
@@ -51,8 +49,7 @@ FirstHit firstHit(const PathStep step, const vec3 dir, const float t, const uint
 
 void main() {
     const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    const uvec2 pixel = uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
+    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
     if (pixel.x >= camera.width || pixel.y >= camera.height) {
         return;
     }

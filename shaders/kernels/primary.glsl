@@ -1,7 +1,5 @@
 // One invocation a pixel: camera ray, closest hit, head-light shading.
-#include "shared/primary.h"
-
-layout(local_size_x = kTilePixels) in;
+#include "lib/tiles.glsl"
 
 layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PixelBuffer { PrimaryPixel pixels[]; };
@@ -9,8 +7,7 @@ layout(push_constant) uniform PushBlock { PrimaryPush push; };
 
 void main() {
     const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    const uvec2 pixel = uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
+    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
     if (pixel.x >= camera.width || pixel.y >= camera.height) {
         return;
     }

@@ -1,11 +1,9 @@
 // The light of some tiles of a film as 8 bits a channel, one invocation a pixel.
+#include "lib/tiles.glsl"
 #include "shared/film.h"
 #include "shared/packed_pixel.h"
-#include "shared/primary.h"
 #include "shared/screen.h"
 #include "shared/tone_mapping.h"
-
-layout(local_size_x = kTilePixels) in;
 
 layout(std430, binding = kBindInput) readonly buffer FilmBuffer { FilmPixel film[]; };
 layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
@@ -13,8 +11,7 @@ layout(push_constant) uniform PushBlock { ResolvePush push; };
 
 void main() {
     const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    const uvec2 pixel = uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
+    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
     if (pixel.x >= push.width || pixel.y >= push.height) {
         return;
     }

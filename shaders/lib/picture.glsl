@@ -1,20 +1,13 @@
-// What the kernels have that draw one packed pixel an invocation: camera, picture, tiles.
+// What the kernels have that draw one packed pixel an invocation: camera and picture.
 #ifndef METAMARCH_LIB_PICTURE_GLSL
 #define METAMARCH_LIB_PICTURE_GLSL
 #include "lib/scene.glsl"
+#include "lib/tiles.glsl"
 #include "shared/inspect_view.h"
-#include "shared/primary.h"
 
 layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
 layout(push_constant) uniform PushBlock { InspectPush push; };
-
-// Of this invocation; may lie beyond the picture's edges.
-uvec2 pixelOfTile() {
-    const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    return uvec2(tile % push.tilesPerRow, tile / push.tilesPerRow) * kTileSide + inTile;
-}
 
 bool isInPicture(const uvec2 pixel) { return pixel.x < camera.width && pixel.y < camera.height; }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <chrono>
 
-namespace metamarch::cli {
+namespace metamarch {
 
 class Stopwatch {
   public:
@@ -14,4 +14,4 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-} // namespace metamarch::cli
+} // namespace metamarch
