@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from Xlib import X
 
 from arguments_test import triangle
-from display import LEFT, Display
+from display import LEFT, Display, die_with_parent
 from drop import Source
 from program import SCENES, SOURCE, ProgramTest, main, metamarch
 
@@ -49,6 +49,7 @@ class Viewer:
         self.err = tempfile.TemporaryFile("w+")
         self.process = subprocess.Popen(
             [metamarch(), "view", *words], cwd=test.tmp, stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.err,
+            preexec_fn=die_with_parent,
             env={**os.environ, **test.environment, "DISPLAY": self.display.name, **(environment or {})})
         self.read = 0  # of stdout, in characters
         try:
