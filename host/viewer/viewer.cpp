@@ -211,15 +211,19 @@ class Viewer {
             readAgain();
         }
         if (stage && shaders.hasChanged()) {
-            const std::string error = shaders.compile(traversals(), stage->buffers.memoryKind());
-            state.shaderError = error;
-            state.say(error.empty() ? "shaders compiled anew"
-                                    : "shader error: " + error.substr(0, error.find('\n')));
-            if (error.empty()) {
+            compileShaders();
+            if (state.shaderError.empty()) {
                 dropCanvases();
                 isStale = true;
             }
         }
+    }
+
+    void compileShaders() {
+        const std::string error = shaders.compile(traversals(), stage->buffers.memoryKind());
+        state.shaderError = error;
+        state.say(error.empty() ? "shaders compiled anew"
+                                : "shader error: " + error.substr(0, error.find('\n')));
     }
 
     void readAgain() {
@@ -399,6 +403,9 @@ class Viewer {
 
     void makeCanvases() {
         dropCanvases();
+        if (shaders.lacks(traversals())) {
+            compileShaders();
+        }
         canvasSize = state.size;
         try {
             for (const std::string& name : traversals()) {

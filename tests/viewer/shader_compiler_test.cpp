@@ -78,9 +78,12 @@ TEST(ShaderReload, keepsTheShadersThatWereGood) {
     fs::copy(kFolder, folder / "shaders", fs::copy_options::recursive);
     ShaderReload reload(folder / "shaders");
     EXPECT_TRUE(reload.overrides().find("path", "kd_stack").empty()); // the program's own
+    EXPECT_FALSE(reload.lacks({"kd_stack"}));
     ASSERT_EQ(reload.compile({"kd_stack"}, Memory::storage), "");
     const auto spirv = reload.overrides().find("path", "kd_stack");
     ASSERT_FALSE(spirv.empty());
+    EXPECT_FALSE(reload.lacks({"kd_stack"}));
+    EXPECT_TRUE(reload.lacks({"kd_stack", "kd_ropes"}));
     const std::vector<std::uint32_t> before(spirv.begin(), spirv.end());
     replaceIn(folder / "shaders/kernels/inspect.glsl", "void main() {", "void main() { nothing;");
     EXPECT_NE(reload.compile({"kd_stack"}, Memory::storage), "");
