@@ -1,5 +1,6 @@
 #include "viewer/shader_reload.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -29,6 +30,12 @@ std::string ShaderReload::compile(const std::vector<std::string>& traversals, co
     }
     current = std::move(next);
     return "";
+}
+
+bool ShaderReload::lacks(const std::vector<std::string>& traversals) const {
+    return !current.spirv.empty() && std::ranges::any_of(traversals, [&](const std::string& traversal) {
+        return current.find("path", traversal).empty();
+    });
 }
 
 } // namespace metamarch::viewer

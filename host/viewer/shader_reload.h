@@ -19,9 +19,12 @@ class ShaderReload {
 
     bool hasChanged() { return compiler && watch.hasChanged(); }
 
-    // Compiles what draws with these traversals. Returns the compiler's words where that fails, and leaves
-    // the overrides as they were.
+    // Compiles what draws with these traversals alone. Returns the compiler's words where that fails, and
+    // leaves the overrides as they were.
     std::string compile(const std::vector<std::string>& traversals, Memory memory);
+
+    // Whether shaders were compiled anew, but not those of all of these.
+    bool lacks(const std::vector<std::string>& traversals) const;
 
     const ShaderOverrides& overrides() const { return current; }
 

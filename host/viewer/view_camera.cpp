@@ -56,6 +56,12 @@ bool hasOwnFov(const ViewCamera& camera, const Scene& scene) {
     return camera.verticalFov != toDegrees(scene.cameras[*camera.fileCamera].verticalFov);
 }
 
+bool isEmpty(const Bounds& bounds) { return bounds.lo.x > bounds.hi.x; }
+
+glm::vec3 middleOf(const Bounds& bounds) {
+    return isEmpty(bounds) ? glm::vec3(0.0f) : 0.5f * bounds.lo + 0.5f * bounds.hi;
+}
+
 std::string pointText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
 } // namespace
@@ -105,7 +111,7 @@ ViewCamera framing(const Bounds& bounds, const float aspect, const double vertic
     const SceneCamera framed = frameBounds(bounds, fov, aspect);
     ViewCamera camera;
     camera.eye = framed.eye;
-    camera.target = bounds.lo.x <= bounds.hi.x ? 0.5f * bounds.lo + 0.5f * bounds.hi : glm::vec3(0.0f);
+    camera.target = middleOf(bounds);
     camera.verticalFov = verticalFov;
     return camera;
 }
@@ -117,9 +123,11 @@ ViewCamera framing(const Bounds& bounds, const float aspect, const ViewCamera& f
     ViewCamera camera = from;
     letGo(camera);
     camera.eye = framed.eye;
-    camera.target = 0.5f * bounds.lo + 0.5f * bounds.hi;
+    camera.target = middleOf(bounds);
     if (camera.verticalExtent) {
-        camera.verticalExtent = glm::length(bounds.hi - bounds.lo);
+        const float diagonal = glm::length(bounds.hi - bounds.lo);
+        const bool hasSize = !isEmpty(bounds) && diagonal > 0.0f;
+        camera.verticalExtent = (hasSize ? diagonal : 1.0f) / std::min(aspect, 1.0f);
     }
     return camera;
 }

@@ -200,15 +200,19 @@ class Viewer {
             readAgain();
         }
         if (stage && shaders.hasChanged()) {
-            const std::string error = shaders.compile(state.traversals(), stage->buffers.memoryKind());
-            state.shaderError = error;
-            state.say(error.empty() ? "shaders compiled anew"
-                                    : "shader error: " + error.substr(0, error.find('\n')));
-            if (error.empty()) {
+            compileShaders();
+            if (state.shaderError.empty()) {
                 dropPictures();
                 isStale = true;
             }
         }
+    }
+
+    void compileShaders() {
+        const std::string error = shaders.compile(state.traversals(), stage->buffers.memoryKind());
+        state.shaderError = error;
+        state.say(error.empty() ? "shaders compiled anew"
+                                : "shader error: " + error.substr(0, error.find('\n')));
     }
 
     void readAgain() {
@@ -281,6 +285,9 @@ class Viewer {
         attempt([&] {
             if (areOthers) {
                 presenter.wait();
+                if (shaders.lacks(state.traversals())) {
+                    compileShaders();
+                }
                 sides.make(*stage, state.traversals(), state.size, shaders.overrides());
             }
             sides.setTone(now.tone);

@@ -1,7 +1,9 @@
 """A screen without a monitor (Xvfb), what hands do on it, and what is seen there."""
+import ctypes
 import os
 import select
 import shutil
+import signal
 import subprocess
 import time
 
@@ -9,6 +11,12 @@ from Xlib import XK, X, display
 from Xlib.ext import xtest
 
 LEFT, MIDDLE, RIGHT, WHEEL_UP, WHEEL_DOWN = 1, 2, 3, 4, 5
+
+
+def die_with_parent():
+    """For the start of a process: a test that is killed takes its window and its screen with it."""
+    set_parent_death_signal = 1  # PR_SET_PDEATHSIG
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
 
 
 class Display:
@@ -20,7 +28,8 @@ class Display:
         reading, writing = os.pipe()
         self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
                                         "-nolisten", "tcp"], pass_fds=[writing], stdin=subprocess.DEVNULL,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       preexec_fn=die_with_parent)
         os.close(writing)
         with os.fdopen(reading) as pipe:
             number = pipe.readline().strip() if select.select([pipe], [], [], 60)[0] else ""

@@ -35,6 +35,10 @@ class ShadersTest(ViewerTest):
         viewer.wait_for_samples()
         darker = viewer.wait_for_still()
         self.assertLess(sum(darker[2]), 0.9 * sum(moved[2]))
+        viewer.key("t")  # with the folder's shaders, too
+        viewer.wait_for_line("shaders compiled anew")
+        viewer.wait_for_title(r".* - path, 2 of 2 samples - rectilinear_table - metamarch")
+        self.assert_shows(viewer, darker)
         self.quit(viewer)
 
     def test_a_folder_without_shaders(self):

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 from Xlib import X
 
 from arguments_test import triangle
-from display import LEFT, Display
+from display import LEFT, Display, die_with_parent
 from drop import Source
 from program import SCENES, SOURCE, ProgramTest, main, metamarch
 
@@ -39,16 +39,22 @@ def wait_until(what, condition):
         time.sleep(0.02)
 
 
+def written(file):
+    """So far, by the process that has the file, too: its place in it must not move."""
+    return os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode()
+
+
 class Viewer:
     """`metamarch view WORDS`, running. `said` follows its stdout."""
 
     def __init__(self, test, words, environment=None):
         self.test = test
         self.display = test.display
-        self.out = tempfile.TemporaryFile("w+")
-        self.err = tempfile.TemporaryFile("w+")
+        self.out = tempfile.TemporaryFile()
+        self.err = tempfile.TemporaryFile()
         self.process = subprocess.Popen(
             [metamarch(), "view", *words], cwd=test.tmp, stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.err,
+            preexec_fn=die_with_parent,
             env={**os.environ, **test.environment, "DISPLAY": self.display.name, **(environment or {})})
         self.read = 0  # of stdout, in characters
         try:
@@ -73,12 +79,10 @@ class Viewer:
         self.err.close()
 
     def stdout(self):
-        self.out.seek(0)
-        return self.out.read()
+        return written(self.out)
 
     def stderr(self):
-        self.err.seek(0)
-        return self.err.read()
+        return written(self.err)
 
     def wait_until(self, what, condition):
         def alive():
