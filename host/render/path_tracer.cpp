@@ -14,8 +14,7 @@ vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const SceneBu
                                      const ShadingBuffers& shading, const std::string& traversal,
                                      const std::span<const std::uint32_t> spirv) {
     vulkan::KernelInfo own{.spirv = spirv,
-                           .storageBindings = {kBindOutput, kBindPathStatus},
-                           .uniformBindings = {kBindInput},
+                           .storageBindings = {kBindInput, kBindOutput, kBindPathStatus},
                            .pushConstantSize = sizeof(PathPush)};
     shading.addTo(own);
     return scene.makePipeline(device, "path", traversal, own);
@@ -52,7 +51,7 @@ void PathTracer::start(const Camera& camera, const PathSettings& settings, const
     taken = 0;
     passEnd = 0;
     next = tiles.end;
-    isFresh = true;
+    unfinished = {};
 }
 
 double PathTracer::meanSamples() const {
@@ -66,20 +65,22 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
         passEnd = std::min({taken + samplesAtOnce, taken + fitting, endSample});
         next = tiles.first;
     }
-    const std::uint32_t count =
-        std::clamp(work.units() / std::max(passEnd - taken, 1u), 1u, tiles.end - next);
-    const TileRange part{next, next + count};
+    const std::uint32_t samples = std::max(passEnd - taken, 1u);
+    const std::uint32_t count = std::clamp(work.units() / samples, 1u, tiles.end - next);
+    const TileRange part = unfinished.count() > 0 ? unfinished : TileRange{next, next + count};
     const double before = sums.deviceSeconds;
     const bool isDone = dispatch(part, passEnd);
     // As if there had been as many as asked for: at the end of a pass there are fewer.
-    const double asked = static_cast<double>(work.units()) / (count * std::max(passEnd - taken, 1u));
+    const double asked = static_cast<double>(work.units()) / (part.count() * samples);
     work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
     if (!isDone) {
         // Fewer at a time from now on; this part is asked again for what it lacks.
         fitting = std::max(fitting / 2, 1u);
+        unfinished = part;
         return part;
     }
-    next += count;
+    unfinished = {};
+    next = part.end;
     if (next == tiles.end) {
         taken = passEnd;
     }
@@ -89,15 +90,12 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
 // Whether every pixel of the tiles has all its samples.
 bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
     const double seconds = submission.run([&](vulkan::Commands& commands) {
-        if (isFresh) {
-            commands.fill(filmBuffer, 0);
-        }
         commands.fill(status, 0);
         commands.dispatch(pipeline, {part.count(), 1, 1},
-                          PathPush{part.first, tilesPerRow, endSample, tiles.first});
+                          PathPush{part.first, tilesPerRow, endSample, tiles.first,
+                                   taken == 0 && unfinished.count() == 0 ? 1u : 0u});
         commands.copy(status, 0, statusReadback, 0, sizeof(PathStatus));
     });
-    isFresh = false;
     (sums.submissions++ == 0 ? sums.firstSeconds : sums.deviceSeconds) += seconds;
     PathStatus done{};
     std::memcpy(&done, statusReadback.mapped().data(), sizeof(PathStatus));
@@ -111,8 +109,13 @@ bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
     return done.unfinished == 0;
 }
 
+TileRange PathTracer::begunTiles() const {
+    return {tiles.first, taken > 0 ? tiles.end : passEnd > 0 ? next : tiles.first};
+}
+
 void PathTracer::download(std::vector<FilmPixel>& pixels) const {
-    std::vector<FilmPixel> inTiles(std::size_t{tiles.count()} * kTilePixels);
+    // The others have no samples yet, and their part of the film holds what was there before.
+    std::vector<FilmPixel> inTiles(std::size_t{begunTiles().count()} * kTilePixels);
     vulkan::read(device, filmBuffer, 0, std::as_writable_bytes(std::span(inTiles)));
     for (std::uint32_t i = 0; i < inTiles.size(); ++i) {
         const std::uint32_t tile = tiles.first + i / kTilePixels;

@@ -63,17 +63,21 @@ class PathTracer {
     // traversal short.
     TileRange advance(std::uint32_t endSample, std::uint32_t samplesAtOnce, double targetSeconds);
 
+    // Those that have samples.
+    TileRange begunTiles() const;
+
     // Samples that every pixel has, and the mean over the tiles.
     std::uint32_t samples() const { return taken; }
     double meanSamples() const;
 
     const PathCounters& counters() const { return sums; }
 
-    // [tile - tiles.first][pixel in tile]
+    // [tile - tiles.first][pixel in tile], of begunTiles().
     const vulkan::Buffer& film() const { return filmBuffer; }
     const Camera& camera() const { return input.camera; }
 
-    // Copies the film into a picture of camera.width * camera.height in rows from the top.
+    // Copies the film into a picture of camera.width * camera.height in rows from the top. Pixels without
+    // samples stay as they are.
     void download(std::vector<FilmPixel>& pixels) const;
 
   private:
@@ -95,7 +99,7 @@ class PathTracer {
     std::uint32_t passEnd = 0;              // samples that the pass under way leads to
     std::uint32_t next = 0;                 // its next tile
     std::uint32_t fitting = kSamplesAtOnce; // samples that the driver brings to their end at once
-    bool isFresh = false;                   // the film is yet to be cleared
+    TileRange unfinished;                   // the last part, where the driver left something of it undone
     PathCounters sums;
 };
 

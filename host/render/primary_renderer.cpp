@@ -35,10 +35,9 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
     const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
     WorkSize work(std::min(tiles, kMostTiles));
 
-    vulkan::ComputePipeline pipeline = scene.makePipeline(device, "primary", traversal,
-                                                          {.storageBindings = {kBindOutput},
-                                                           .uniformBindings = {kBindCamera},
-                                                           .pushConstantSize = sizeof(PrimaryPush)});
+    vulkan::ComputePipeline pipeline = scene.makePipeline(
+        device, "primary", traversal,
+        {.storageBindings = {kBindCamera, kBindOutput}, .pushConstantSize = sizeof(PrimaryPush)});
     const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
     const std::uint64_t outputBytes =
         std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);

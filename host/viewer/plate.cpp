@@ -80,7 +80,7 @@ void Plate::setTone(const ToneMapping& toneMapping) {
     }
     tone = toneMapping;
     if (path && !shot.view) {
-        unresolved = {{0, render::Tiling(path->tracer.camera()).count}};
+        unresolved = {path->tracer.begunTiles()};
     }
 }
 
@@ -90,7 +90,9 @@ void Plate::record(vulkan::Commands& commands) {
         isToClear = false;
     }
     for (const render::TileRange& tiles : unresolved) {
-        path->resolver.resolve(commands, tiles, pictureSize, tone);
+        if (tiles.count() > 0) {
+            path->resolver.resolve(commands, tiles, pictureSize, tone);
+        }
     }
     unresolved.clear();
 }

@@ -7,7 +7,7 @@
 #include "shared/path.h"
 #include "shared/path_input.h"
 
-layout(std140, binding = kBindInput) uniform InputBuffer {
+layout(std430, binding = kBindInput) readonly buffer InputBuffer {
     Camera camera;
     PathSettings settings;
 };
@@ -54,7 +54,10 @@ void main() {
         return;
     }
     const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
-    FilmPixel sum = film[index];
+    FilmPixel sum = emptyPixel();
+    if (push.isFresh == 0u) {
+        sum = film[index];
+    }
     PixelSample at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
     Path path = cameraPath(camera, pixel.x, pixel.y, at);
     FirstHit first = missFirst();
@@ -117,7 +120,10 @@ void main() {
         }
     } while (isOn);
 
-    const FilmPixel was = film[index];
+    FilmPixel was = emptyPixel();
+    if (push.isFresh == 0u) {
+        was = film[index];
+    }
     atomicAdd(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
     atomicAdd(status.steps, uint(sum.steps - was.steps));
     atomicAdd(status.tests, uint(sum.tests - was.tests));

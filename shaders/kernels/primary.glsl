@@ -1,7 +1,7 @@
 // One invocation a pixel: camera ray, closest hit, head-light shading.
 #include "lib/tiles.glsl"
 
-layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
+layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PixelBuffer { PrimaryPixel pixels[]; };
 layout(push_constant) uniform PushBlock { PrimaryPush push; };
 

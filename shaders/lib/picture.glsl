@@ -5,7 +5,7 @@
 #include "lib/tiles.glsl"
 #include "shared/inspect_view.h"
 
-layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
+layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
 layout(push_constant) uniform PushBlock { InspectPush push; };
 

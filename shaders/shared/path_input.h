@@ -6,8 +6,7 @@
 
 SHARED_BEGIN
 
-// What is the same for all invocations, one uniform buffer: with four of them in a kernel, lavapipe (Mesa
-// 22.3.6) writes past its stack.
+// What is the same for all invocations.
 struct PathInput {
     Camera camera;
     PathSettings settings;
@@ -19,6 +18,7 @@ struct PathPush {
     uint tilesPerRow;
     uint endSample; // each pixel takes its samples up to this one
     uint bandTile;  // the film on the device starts with this one
+    uint isFresh;   // 1: whatever the film holds of these pixels is not theirs
 };
 
 // What a dispatch has done, all of its pixels together; zeros before it.
@@ -35,7 +35,7 @@ struct PathStatus {
 SHARED_ASSERT_SIZE(PathStatus, 20)
 SHARED_ASSERT_SIZE(PathInput, 208)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
-SHARED_ASSERT_SIZE(PathPush, 16)
+SHARED_ASSERT_SIZE(PathPush, 20)
 
 SHARED_END
 #endif

@@ -147,8 +147,7 @@ TEST_F(GrowingFilm, countsItsWork) {
 
 TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
     render::PathTracer one = tracer();
-    const render::TileRange all{0, render::Tiling(camera).count};
-    one.start(camera, settings, all);
+    one.start(camera, settings, {0, render::Tiling(camera).count});
     one.advance(1, 1, kSmallest); // most pixels have none yet
     const render::Resolver resolver(vulkan::testDevice(), one.film(), kWidth * kHeight);
     for (int samples = 1; samples < 4; ++samples) {
@@ -156,7 +155,8 @@ TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
         for (const ToneOperatorName& known : kToneOperators) {
             const ToneMapping tone{known.toneOperator, 0.5f * static_cast<float>(samples)};
             vulkan::Submission(vulkan::testDevice()).run([&](vulkan::Commands& commands) {
-                resolver.resolve(commands, all, {kWidth, kHeight}, tone);
+                commands.fill(resolver.picture(), 0);
+                resolver.resolve(commands, one.begunTiles(), {kWidth, kHeight}, tone);
             });
             const auto shown = vulkan::download<std::uint32_t>(vulkan::testDevice(), resolver.picture());
             for (std::size_t i = 0; i < film.size(); ++i) {

@@ -198,7 +198,7 @@ const StructLayout kStructs[] = {
     {"PathPush",
      sizeof(PathPush),
      {MEMBER(PathPush, firstTile), MEMBER(PathPush, tilesPerRow), MEMBER(PathPush, endSample),
-      MEMBER(PathPush, bandTile)}},
+      MEMBER(PathPush, bandTile), MEMBER(PathPush, isFresh)}},
     {"ResolvePush",
      sizeof(ResolvePush),
      {MEMBER(ResolvePush, firstTile), MEMBER(ResolvePush, tilesPerRow), MEMBER(ResolvePush, width),
