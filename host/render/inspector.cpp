@@ -37,8 +37,7 @@ Inspector::Reads Inspector::readsOf(const std::uint32_t view) {
 
 vulkan::ComputePipeline Inspector::makePipeline(const Reads reads) const {
     vulkan::KernelInfo own{.spirv = reads == Reads::cells ? cellsSpirv : spirv,
-                           .storageBindings = {kBindOutput},
-                           .uniformBindings = {kBindCamera},
+                           .storageBindings = {kBindCamera, kBindOutput},
                            .pushConstantSize = sizeof(InspectPush)};
     const auto bound = [&](vulkan::ComputePipeline pipeline) {
         pipeline.bind(kBindCamera, camera);

@@ -5,7 +5,9 @@
 #include "shared/inspect_view.h"
 #include "shared/primary.h"
 
-layout(std140, binding = kBindCamera) uniform CameraBuffer { Camera camera; };
+// No uniform: lavapipe (Mesa 22.3) copies a program whose branches depend on one whenever it changes, and
+// keeps the copies as long as the pipeline, 0.8 MB each.
+layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
 layout(push_constant) uniform PushBlock { InspectPush push; };
 
