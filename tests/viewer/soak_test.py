@@ -26,14 +26,13 @@ class SoakTest(ViewerTest):
     def round(self, viewer, scene):
         """Everything that makes and drops things on the device, and back to where it began."""
         dice = random.Random(1)
-        for _ in range(3):
-            start = dice.randrange(20, 140), dice.randrange(20, 100)
-            viewer.drag(start, (start[0] + dice.randrange(-20, 20), start[1] + dice.randrange(-15, 15)))
-            viewer.settle()
-        for keys in (("v", ), ("Shift_L", "v"), ("Tab", ), ("Tab", )):
+        for keys in ((), ("h", ), ("h", )):
             viewer.key(*keys)
-            viewer.settle()
-        for key in ("t", "x", "x") if EVERY_TRAVERSAL else ("x", "x"):
+            for _ in range(3):
+                start = dice.randrange(20, 140), dice.randrange(20, 100)
+                viewer.drag(start, (start[0] + dice.randrange(-20, 20), start[1] + dice.randrange(-15, 15)))
+                viewer.settle()
+        for key in ("Tab", "Tab", "x", "x", *(["t"] if EVERY_TRAVERSAL else [])):
             viewer.key(key)
             viewer.settle()
         for _ in range(2):
@@ -49,6 +48,8 @@ class SoakTest(ViewerTest):
         viewer.settle()
 
     def test_memory_stays_flat(self):
+        # The validation layers keep a MiB of each pipeline that is gone.
+        self.environment["METAMARCH_VALIDATION"] = "0"
         # Where the program is built with it: memory that is given back comes back.
         self.environment["ASAN_OPTIONS"] = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"
         scene = self.tmp / "scene.glb"
@@ -61,8 +62,8 @@ class SoakTest(ViewerTest):
             sizes.append(resident(viewer.process))
         self.quit(viewer)
         curve = ", ".join(f"{size:.1f}" for size in sizes[::max(1, len(sizes) // 20)])
-        print(f"{len(sizes)} rounds; resident MiB: {sizes[WARM_ROUNDS]:.1f} after {WARM_ROUNDS + 1}, {sizes[-1]:.1f} at the end; {curve}",
-              file=sys.stderr)
+        print(f"{len(sizes)} rounds; resident MiB: {sizes[WARM_ROUNDS]:.1f} after {WARM_ROUNDS + 1}, "
+              f"{sizes[-1]:.1f} at the end; {curve}", file=sys.stderr)
         self.assertLess(sizes[-1] - sizes[WARM_ROUNDS], MOST_GROWTH)
 
 
