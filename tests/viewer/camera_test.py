@@ -50,7 +50,6 @@ class CameraTest(ViewerTest):
         viewer.display.hold("w", True)
         viewer.wait_until("flight", lambda: viewer.settle() != options)
         viewer.display.hold("w", False)
-        viewer.key("exclam")  # no key of the viewer's
         self.assert_renders_alike(viewer, CORNELL)
         self.quit(viewer)
 
@@ -94,7 +93,7 @@ class CameraTest(ViewerTest):
         viewer.drag((80, 60), (90, 65))
         options = self.assert_renders_alike(viewer, scene, *light)
         self.assertIn("--orthographic", options)
-        viewer.key("n", )
+        viewer.key("n")
         viewer.wait_for_line(r"camera 0 'plan'")
         viewer.key("n")
         viewer.wait_for_line(r"camera 1 'near'")

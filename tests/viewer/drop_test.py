@@ -1,7 +1,7 @@
 """Files dropped on the window: scenes, maps of light, and what is neither."""
 import subprocess
 
-from viewer import CORNELL, DEGENERATE, OBJECTS, ViewerTest, main, triangle
+from viewer import CORNELL, OBJECTS, ViewerTest, main, triangle
 
 
 class DropTest(ViewerTest):

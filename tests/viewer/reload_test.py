@@ -3,11 +3,12 @@ import os
 import shutil
 
 from camera_test import CAMERAS
-from viewer import CORNELL, DEGENERATE, OBJECTS, READY, ViewerTest, main, triangle
+from viewer import CORNELL, OBJECTS, READY, ViewerTest, main, triangle
 
 
 class ReloadTest(ViewerTest):
-    def replace(self, scene, content):
+    @staticmethod
+    def replace(scene, content):
         """As most programs write files: another one takes the place of the old."""
         other = scene.with_suffix(".new")
         other.write_bytes(content)

@@ -89,7 +89,11 @@ class Viewer:
             self.check_alive()
             return condition()
 
-        return wait_until(lambda: f"{what() if callable(what) else what}; the title is '{self.title}', stdout '{self.stdout()[-600:]}'", alive)
+        def report():
+            words = what() if callable(what) else what
+            return f"{words}; the title is '{self.title}', stdout '{self.stdout()[-600:]}'"
+
+        return wait_until(report, alive)
 
     # --- what is seen and said ---
 
