@@ -46,6 +46,9 @@ PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedD
 
 std::string PictureSaver::save(const Plate& plate, const Shot& shot, const ViewerState& state,
                                const std::string& ending) const {
+    if (!plate.isWhole()) {
+        throw Error(ExitCode::badArguments, "parts of the picture are still empty: save it in a moment");
+    }
     const std::string name = freeName(state.file.stem().string(), ending);
     if (shot.view) {
         if (ending != ".png") {

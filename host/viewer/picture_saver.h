@@ -14,7 +14,7 @@ class PictureSaver {
 
     // ".png": what is seen, without panels; ".exr": the path tracer's film with all its channels. Into the
     // current folder, under the scene's name and the next free number. Returns a line for the user. Throws
-    // Error(outputNotWritable), and Error(badArguments) for an EXR of a view.
+    // Error(outputNotWritable), and Error(badArguments) for an EXR of a view and a picture with empty parts.
     std::string save(const Plate& plate, const Shot& shot, const ViewerState& state,
                      const std::string& ending) const;
 
