@@ -34,7 +34,7 @@ struct LoadedScene {
     std::shared_ptr<const AccelerationStructure> structure; // over `shown`
     ShadingScene shading;                                   // of `shown`
     Bounds bounds;                                          // of `whole`
-    bool hasLight = false; // hasLight(*whole)
+    bool hasLight = false;                                  // hasLight(*whole)
     std::vector<std::string> warnings;
     double importSeconds = 0.0; // of each part, when it was last made
     double buildSeconds = 0.0;
