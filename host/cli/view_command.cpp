@@ -13,6 +13,7 @@
 #include "shader_library.h"
 
 #ifdef METAMARCH_HAS_VIEWER
+#include "viewer/actions.h"
 #include "viewer/viewer.h"
 #endif
 
@@ -49,12 +50,6 @@ struct ViewerArguments {
 
 #ifdef METAMARCH_HAS_VIEWER
 
-float distanceTo(const Scene& scene, const glm::vec3& eye) {
-    const Bounds bounds = boundsOf(scene);
-    const float distance = glm::length(0.5f * (bounds.lo + bounds.hi) - eye);
-    return std::isfinite(distance) && distance > 0.0f ? distance : 1.0f;
-}
-
 viewer::ViewCamera poseOf(const ViewOptions::Pose& pose, const ViewOptions& options) {
     viewer::ViewCamera camera;
     camera.eye = pose.eye;
@@ -74,7 +69,7 @@ viewer::ViewCamera chooseCamera(const ViewOptions& options, const Scene& scene, 
         const std::string& wanted = options.cameraSelection();
         const SceneCamera& chosen = selectCamera(scene, wanted.empty() ? "0" : wanted);
         camera = viewer::ofFile(scene, static_cast<std::size_t>(&chosen - scene.cameras.data()),
-                                distanceTo(scene, chosen.eye));
+                                viewer::distanceTo(boundsOf(scene), chosen.eye));
     } else {
         camera = viewer::framing(boundsOf(scene), aspect, fov.value_or(camera.verticalFov));
     }

@@ -66,7 +66,8 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
         next = tiles.first;
     }
     const std::uint32_t samples = std::max(passEnd - taken, 1u);
-    const std::uint32_t count = std::clamp(work.units() / samples, 1u, tiles.end - next);
+    const std::uint32_t most = std::min(tiles.end - next, device.report().maxComputeWorkGroupCount[0]);
+    const std::uint32_t count = std::clamp(work.units() / samples, 1u, most);
     const TileRange part = unfinished.count() > 0 ? unfinished : TileRange{next, next + count};
     const double before = sums.deviceSeconds;
     const bool isDone = dispatch(part, passEnd);

@@ -3,7 +3,14 @@
 #include "render/kernel.h"
 #include "shared/primary.h"
 
+#include <algorithm>
+
 namespace metamarch::render {
+namespace {
+
+constexpr std::uint32_t kMostGroups = 65535; // that every device takes in one dispatch
+
+} // namespace
 
 Resolver::Resolver(const vulkan::Device& device, const vulkan::Buffer& film, const std::uint32_t mostPixels)
     : pictureBuffer(device, vulkan::BufferUse::storage, std::uint64_t{mostPixels} * sizeof(std::uint32_t),
@@ -17,9 +24,12 @@ Resolver::Resolver(const vulkan::Device& device, const vulkan::Buffer& film, con
 
 void Resolver::resolve(vulkan::Commands& commands, const TileRange tiles, const glm::uvec2 size,
                        const ToneMapping& toneMapping) const {
-    commands.dispatch(pipeline, {tiles.count(), 1, 1},
-                      ResolvePush{tiles.first, (size.x + kTileSide - 1) / kTileSide, size.x, size.y,
-                                  toneMapping.toneOperator, exposureScale(toneMapping)});
+    for (std::uint32_t first = tiles.first; first < tiles.end; first += kMostGroups) {
+        const std::uint32_t count = std::min(tiles.end - first, kMostGroups);
+        commands.dispatch(pipeline, {count, 1, 1},
+                          ResolvePush{first, (size.x + kTileSide - 1) / kTileSide, size.x, size.y,
+                                      toneMapping.toneOperator, exposureScale(toneMapping)});
+    }
 }
 
 } // namespace metamarch::render

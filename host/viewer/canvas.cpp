@@ -37,7 +37,7 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
 
 Canvas::Canvas(const vulkan::Device& usedDevice, const Stage& stage, const std::string& traversal,
                const glm::uvec2 size, const ShaderOverrides& shaders)
-    : device(usedDevice), name(traversal), screenSize(size), fineSize(fittingSize(usedDevice, size)),
+    : device(usedDevice), name(traversal), fineSize(fittingSize(usedDevice, size)),
       coarse(usedDevice, stage, traversal, divided(fineSize, kCoarseness.front()), shaders),
       fine(usedDevice, stage, traversal, fineSize, shaders) {}
 

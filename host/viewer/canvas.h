@@ -31,15 +31,11 @@ class Canvas {
     const Plate& finePlate() const { return fine; }
     const Plate& coarsePlate() const { return coarse; }
 
-    // A pixel of the window is one of the picture.
-    bool isAtFullSize() const { return fine.size() == screenSize; }
-
   private:
     vulkan::ComputePipeline& presenting();
 
     const vulkan::Device& device;
     std::string name;
-    glm::uvec2 screenSize;
     glm::uvec2 fineSize;
     Plate coarse;
     Plate fine;

@@ -1,8 +1,6 @@
 #include "viewer/panels.h"
 
-#include "render/scene_buffers.h"
 #include "render/view_names.h"
-#include "shader_library.h"
 #include "viewer/controls.h"
 #include "vulkan/byte_text.h"
 
@@ -14,6 +12,9 @@
 
 namespace metamarch::viewer {
 namespace {
+
+// Numbers may be typed into sliders, too.
+constexpr ImGuiSliderFlags kTypedWithin = ImGuiSliderFlags_AlwaysClamp;
 
 void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
 
@@ -51,18 +52,20 @@ void drawViewChoice(Settings& settings) {
         ImGui::EndCombo();
     }
     if (settings.view && isHeatMap(*settings.view)) {
-        ImGui::SliderFloat("hottest", &settings.heatMax, 1.0f, 512.0f, "%.0f", ImGuiSliderFlags_Logarithmic);
+        ImGui::SliderFloat("hottest", &settings.heatMax, 1.0f, 512.0f, "%.0f",
+                           kTypedWithin | ImGuiSliderFlags_Logarithmic);
     }
 }
 
-void drawTraversals(Settings& settings) {
-    settings.traversal = chooseName("traversal", settings.traversal, traversals(), kItself);
-    bool hasRival = !settings.rival.empty();
-    if (ImGui::Checkbox("split", &hasRival)) {
-        settings.rival = hasRival ? "kd_stack" : "";
+void drawTraversals(ViewerState& state) {
+    Settings& settings = state.settings;
+    settings.traversal = chooseName("traversal", settings.traversal, state.runnable, kItself);
+    bool isSplit = state.hasSplit();
+    if (ImGui::Checkbox("split", &isSplit)) {
+        state.actions.push_back(Action::toggleSplit);
     }
-    if (hasRival) {
-        settings.rival = chooseName("right side", settings.rival, traversals(), kItself);
+    if (state.hasSplit()) {
+        settings.rival = chooseName("right side", settings.rival, state.runnable, kItself);
     }
 }
 
@@ -72,7 +75,7 @@ void drawTone(ToneMapping& tone) {
     const std::string chosen = chooseName("tone map", std::string(current->name), kToneOperators,
                                           [](const auto& known) { return known.name; });
     tone.toneOperator = std::ranges::find(kToneOperators, chosen, &ToneOperatorName::name)->toneOperator;
-    ImGui::SliderFloat("exposure", &tone.exposure, -10.0f, 10.0f, "%.2f stops");
+    ImGui::SliderFloat("exposure", &tone.exposure, -10.0f, 10.0f, "%.2f stops", kTypedWithin);
 }
 
 void drawLight(LightChoice& light, const bool sceneHasLight) {
@@ -89,7 +92,7 @@ void drawLight(LightChoice& light, const bool sceneHasLight) {
     }
     if (light.kind == Kind::map) {
         line(light.map.filename().string());
-        ImGui::SliderAngle("rotation", &light.rotation, -180.0f, 180.0f);
+        ImGui::SliderAngle("rotation", &light.rotation, -180.0f, 180.0f, "%.0f deg", kTypedWithin);
     }
     if (light.kind == Kind::background) {
         ImGui::ColorEdit3("radiance", &light.background.x,
@@ -97,11 +100,11 @@ void drawLight(LightChoice& light, const bool sceneHasLight) {
     }
     if (light.kind == Kind::map || isSky) {
         ImGui::SliderFloat("intensity", &light.intensity, 0.01f, 100.0f, "%.2f",
-                           ImGuiSliderFlags_Logarithmic);
+                           kTypedWithin | ImGuiSliderFlags_Logarithmic);
     }
     if (isSky) {
-        ImGui::SliderAngle("sun's height", &light.sunElevation, -10.0f, 90.0f);
-        ImGui::SliderAngle("sun's azimuth", &light.sunAzimuth, -180.0f, 180.0f);
+        ImGui::SliderAngle("sun's height", &light.sunElevation, -10.0f, 90.0f, "%.0f deg", kTypedWithin);
+        ImGui::SliderAngle("sun's azimuth", &light.sunAzimuth, -180.0f, 180.0f, "%.0f deg", kTypedWithin);
     }
 }
 
@@ -111,14 +114,14 @@ void drawRenderer(ViewerState& state) {
     constexpr const char* kIntegrators[] = {"path", "direct", "ao"};
     settings.path.integrator = chooseName("integrator", settings.path.integrator, kIntegrators, kItself);
     int bounces = static_cast<int>(settings.path.maxBounces);
-    if (ImGui::SliderInt("bounces", &bounces, 0, 32)) {
+    if (ImGui::SliderInt("bounces", &bounces, 0, 32, "%d", kTypedWithin)) {
         settings.path.maxBounces = static_cast<std::uint32_t>(bounces);
     }
     int samples = static_cast<int>(settings.samples);
     if (ImGui::InputInt("samples", &samples, 64, 1024, ImGuiInputTextFlags_EnterReturnsTrue)) {
         settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 1 << 24));
     }
-    drawTraversals(settings);
+    drawTraversals(state);
     drawTone(settings.tone);
     drawLight(settings.light, state.scene && state.scene->hasLight);
 }
@@ -134,12 +137,13 @@ void drawCamera(ViewerState& state) {
     }
     if (!camera.verticalExtent) {
         auto fov = static_cast<float>(camera.verticalFov);
-        if (ImGui::SliderFloat("field of view", &fov, 1.0f, 170.0f, "%.1f deg")) {
+        if (ImGui::SliderFloat("field of view", &fov, 1.0f, 170.0f, "%.1f deg", kTypedWithin)) {
             camera.verticalFov = static_cast<double>(fov);
         }
     }
     ImGui::Checkbox("panorama", &camera.isPanorama);
-    ImGui::SliderFloat("aperture", &camera.apertureRadius, 0.0f, 1.0f, "%.4f", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("aperture", &camera.apertureRadius, 0.0f, 1.0f, "%.4f",
+                       kTypedWithin | ImGuiSliderFlags_Logarithmic);
     if (camera.focusDistance) {
         line(fmt::format("in focus at {:.4g}", *camera.focusDistance));
     }
@@ -209,7 +213,8 @@ void drawScene(ViewerState& state) {
             import.time = isPosed ? std::optional(0.0) : std::nullopt;
         }
         auto time = static_cast<float>(import.time.value_or(0.0));
-        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds), "%.2f s")) {
+        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds), "%.2f s",
+                               kTypedWithin)) {
             import.time = static_cast<double>(time);
         }
     }
@@ -266,7 +271,7 @@ void drawMarchLog(ViewerState& state) {
         log.result.hit.triangleId == kNoTriangle
             ? "nothing hit"
             : fmt::format("triangle {} at {:.4g}", log.result.hit.triangleId, log.steps.back().best.t)));
-    ImGui::SliderInt("step", &state.marchStep, 0, count, state.marchStep == 0 ? "all" : "%d");
+    ImGui::SliderInt("step", &state.marchStep, 0, count, state.marchStep == 0 ? "all" : "%d", kTypedWithin);
     if (state.marchStep > 0 && state.marchStep <= count) {
         const MarchStep& step = log.steps[static_cast<std::size_t>(state.marchStep) - 1];
         const glm::ivec3 size = step.exitBox.hi - step.exitBox.lo;

@@ -44,12 +44,13 @@ Image imageOf(const std::vector<std::uint32_t>& packed, const glm::uvec2 size) {
 PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedDevice)
     : software(std::move(usedSoftware)), device(usedDevice) {}
 
-std::string PictureSaver::save(const Plate& plate, const Shot& shot, const ViewerState& state,
-                               const std::string& ending) const {
+std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::string& traversal,
+                               const ViewerState& state, const std::string& ending) const {
     if (!plate.isWhole()) {
         throw Error(ExitCode::badArguments, "parts of the picture are still empty: save it in a moment");
     }
-    const std::string name = freeName(state.file.stem().string(), ending);
+    const std::filesystem::path& file = state.scene->request.file;
+    const std::string name = freeName(file.stem().string(), ending);
     if (shot.view) {
         if (ending != ".png") {
             throw Error(ExitCode::badArguments,
@@ -58,12 +59,12 @@ std::string PictureSaver::save(const Plate& plate, const Shot& shot, const Viewe
         writeImage(imageOf(plate.viewPixels(), plate.size()), name);
         return "saved " + name;
     }
-    const auto samples = static_cast<std::uint32_t>(plate.samples());
+    const std::uint32_t samples = plate.wholeSamples(); // some tiles may have more
     Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y));
     addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
     addHeader(image,
-              {software, device.name(), device.report().driverInfo, state.settings.traversal,
-               state.settings.path.integrator, state.file.string(), plate.seconds()},
+              {software, device.name(), device.report().driverInfo, traversal, state.settings.path.integrator,
+               file.string(), plate.seconds()},
               shot.camera);
     if (ending == ".png") {
         makeOpaque(image);

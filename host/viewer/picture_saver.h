@@ -12,11 +12,12 @@ class PictureSaver {
   public:
     PictureSaver(std::string software, const vulkan::Device& device);
 
-    // ".png": what is seen, without panels; ".exr": the path tracer's film with all its channels. Into the
-    // current folder, under the scene's name and the next free number. Returns a line for the user. Throws
-    // Error(outputNotWritable), and Error(badArguments) for an EXR of a view and a picture with empty parts.
-    std::string save(const Plate& plate, const Shot& shot, const ViewerState& state,
-                     const std::string& ending) const;
+    // ".png": what the left side shows, at its plate's size; ".exr": the path tracer's film with all its
+    // channels. Into the current folder, under the scene's name and the next free number. Returns a line for
+    // the user. Throws Error(outputNotWritable), and Error(badArguments) for an EXR of a view and a picture
+    // with empty parts.
+    std::string save(const Plate& plate, const Shot& shot, const std::string& traversal,
+                     const ViewerState& state, const std::string& ending) const;
 
   private:
     std::string software;

@@ -90,9 +90,7 @@ void Plate::record(vulkan::Commands& commands) {
         isToClear = false;
     }
     for (const render::TileRange& tiles : unresolved) {
-        if (tiles.count() > 0) {
-            path->resolver.resolve(commands, tiles, pictureSize, tone);
-        }
+        path->resolver.resolve(commands, tiles, pictureSize, tone);
     }
     unresolved.clear();
 }

@@ -38,8 +38,9 @@ class Plate {
 
     // Every pixel shows something.
     bool isWhole() const;
-    // Of the path tracer, the mean over the pixels.
+    // Of the path tracer: the mean over the pixels, and what every pixel has.
     double samples() const;
+    std::uint32_t wholeSamples() const { return path->tracer.samples(); }
     // Since start(), on the device.
     double seconds() const;
 

@@ -102,11 +102,16 @@ void Presenter::makeChain() {
 }
 
 void Presenter::wait() {
-    if (isInFlight) {
-        isInFlight = false;
+    if (!isInFlight) {
+        return;
+    }
+    isInFlight = false;
+    try {
         if (device.handle().waitForFences(*done, VK_TRUE, kForever) != vk::Result::eSuccess) {
             throw Error(ExitCode::noDevice, device.name() + ": device lost");
         }
+    } catch (const vk::SystemError& error) {
+        throw vulkan::refusalOf(error, fmt::format("{}: device lost", device.name()));
     }
 }
 
@@ -147,7 +152,11 @@ bool Presenter::beginFrame() {
         return false;
     }
     if (isOutdated || !chain || size != chain->size()) {
-        makeChain();
+        try {
+            makeChain();
+        } catch (const vk::SystemError& error) {
+            throw vulkan::refusalOf(error, fmt::format("{}: no pictures for the window", device.name()));
+        }
     }
     // Monitors differ in how large they show a pixel.
     const float scale = window.contentScale();

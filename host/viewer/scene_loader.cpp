@@ -44,6 +44,7 @@ void SceneLoader::ask(SceneRequest request) {
     {
         const std::lock_guard lock(mutex);
         waiting = std::move(request);
+        ready.reset();
     }
     wake.notify_one();
 }
@@ -60,7 +61,7 @@ std::optional<SceneLoader::Answer> SceneLoader::take() {
 
 void SceneLoader::run(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
-    while (wake.wait(lock, stop, [&] { return waiting.has_value(); })) {
+    while (wake.wait(lock, stop, [&] { return waiting.has_value(); }) && !stop.stop_requested()) {
         const SceneRequest request = std::move(*waiting);
         waiting.reset();
         isWorking = true;
@@ -88,24 +89,23 @@ SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
         loaded->warnings = loaded->whole->warnings;
 
         const bool isBuilt = isRead && last->request.hiddenMeshes == request.hiddenMeshes;
-        const Stopwatch build;
         loaded->shown = isBuilt ? last->shown : withoutMeshes(loaded->whole, request.hiddenMeshes);
         loaded->structure = isBuilt ? last->structure
                                     : std::make_shared<const AccelerationStructure>(
                                           buildAccelerationStructure(*loaded->shown, request.structure));
-        loaded->buildSeconds = isBuilt ? last->buildSeconds : build.seconds();
 
-        const Stopwatch light;
         LitScene lit = lightScene(*loaded->shown, request.file.string(), request.path, request.light);
         loaded->shading = std::move(lit.shading);
         loaded->warnings.insert(loaded->warnings.end(), lit.warnings.begin(), lit.warnings.end());
-        loaded->shadingSeconds = light.seconds();
         last = loaded;
         return {loaded, "", 0};
     } catch (const Error& error) {
         return {nullptr, error.what(), static_cast<int>(error.code)};
     } catch (const std::bad_alloc&) {
         return {nullptr, request.file.string() + ": out of memory", static_cast<int>(ExitCode::outOfMemory)};
+    } catch (const std::exception& error) {
+        return {nullptr, request.file.string() + ": " + error.what(),
+                static_cast<int>(ExitCode::sceneRefused)};
     }
 }
 

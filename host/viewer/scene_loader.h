@@ -36,9 +36,7 @@ struct LoadedScene {
     Bounds bounds;                                          // of `whole`
     bool hasLight = false;                                  // hasLight(*whole)
     std::vector<std::string> warnings;
-    double importSeconds = 0.0; // of each part, when it was last made
-    double buildSeconds = 0.0;
-    double shadingSeconds = 0.0;
+    double importSeconds = 0.0; // when the file was last read
 };
 
 class SceneLoader {

@@ -22,11 +22,15 @@ bool Sides::areOf(const std::vector<std::string>& traversals, const glm::uvec2 w
 
 void Sides::make(const Stage& stage, const std::vector<std::string>& traversals, const glm::uvec2 windowSize,
                  const ShaderOverrides& shaders) {
-    canvases.clear();
+    clear();
     size = windowSize;
     for (const std::string& name : traversals) {
         canvases.push_back(std::make_unique<Canvas>(device, stage, name, size, shaders));
     }
+}
+
+void Sides::clear() {
+    canvases.clear();
     countersBefore = {};
 }
 

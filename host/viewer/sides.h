@@ -21,7 +21,7 @@ class Sides {
     // clear(). The stage and the shaders must outlive them. Throws as Canvas.
     void make(const Stage& stage, const std::vector<std::string>& traversals, glm::uvec2 windowSize,
               const ShaderOverrides& shaders);
-    void clear() { canvases.clear(); }
+    void clear();
 
     void start(const Shot& shot);
     void setTone(const ToneMapping& toneMapping);
@@ -39,6 +39,7 @@ class Sides {
     // What the left side shows, for files; not where it is empty.
     const Plate& plate() const { return canvases.front()->finePlate(); }
     const Shot& shown() const { return shot; }
+    const std::string& leftTraversal() const { return canvases.front()->traversal(); }
 
   private:
     bool isWhole() const;

@@ -3,6 +3,7 @@
 #include "error.h"
 #include "render/view_names.h"
 #include "scene/scene_file.h"
+#include "shader_library.h"
 #include "stopwatch.h"
 #include "viewer/actions.h"
 #include "viewer/controls.h"
@@ -50,10 +51,21 @@ class Viewer {
         for (const std::string& traversal : state.traversals()) {
             render::requireTraversal(device.report(), traversal);
         }
+        for (const std::string_view traversal : traversals()) {
+            if (render::missingFor(device.report(), traversal).empty()) {
+                state.runnable.emplace_back(traversal);
+            }
+        }
         askForScene();
     }
 
-    ~Viewer() { dropPictures(); }
+    ~Viewer() {
+        try {
+            dropPictures();
+        } catch (const std::exception&) {
+            // The device is lost, and whoever found out has said so.
+        }
+    }
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
@@ -105,9 +117,18 @@ class Viewer {
         request.light = state.settings.light;
         request.path = state.settings.path;
         request.hiddenMeshes = state.settings.hiddenMeshes;
-        request.reading = readings;
+        request.reading = reading;
+        watchFile();
         loader.ask(std::move(request));
         state.busy = fmt::format("reading {} ...", state.file.filename().string());
+    }
+
+    // From before it is read: what changes meanwhile counts.
+    void watchFile() {
+        if (watchedFile != state.file) {
+            watchedFile = state.file;
+            fileWatch.watch({watchedFile});
+        }
     }
 
     void takeScene() {
@@ -126,7 +147,7 @@ class Viewer {
         try {
             showScene(std::move(answer->scene));
         } catch (const Error& error) {
-            if (!state.scene) {
+            if (!state.scene || isLost()) {
                 throw;
             }
             goBack(error.what());
@@ -141,7 +162,10 @@ class Viewer {
         state.settings.import = shown.import;
         state.settings.light = shown.light;
         state.settings.hiddenMeshes = shown.hiddenMeshes;
-        readings = shown.reading;
+        state.settings.path.integrator = shown.path.integrator;
+        state.settings.path.isSingleScatter = shown.path.isSingleScatter;
+        reading = shown.reading;
+        watchFile();
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
@@ -155,7 +179,6 @@ class Viewer {
             for (const std::string& warning : loaded->warnings) {
                 state.say("warning: " + warning);
             }
-            fileWatch.watch({loaded->request.file});
         }
         if (!state.scene || state.scene->shown != loaded->shown) {
             state.selected.reset();
@@ -216,7 +239,7 @@ class Viewer {
     }
 
     void readAgain() {
-        ++readings;
+        reading = ++newestReading;
         askForScene();
     }
 
@@ -251,11 +274,12 @@ class Viewer {
     }
 
     void save(const char* const ending) {
-        if (sides.isEmpty()) {
+        if (sides.isEmpty() || !state.busy.empty()) {
+            state.say("the picture is on its way: save it when it is there");
             return;
         }
         try {
-            state.say(saver.save(sides.plate(), sides.shown(), state, ending));
+            state.say(saver.save(sides.plate(), sides.shown(), sides.leftTraversal(), state, ending));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -277,7 +301,7 @@ class Viewer {
                                     before.samples != now.samples || before.traversal != now.traversal ||
                                     before.rival != now.rival;
         isStale = isStale || isOtherPicture;
-        isHalted = isHalted && !isStale;
+        isHalted = isHalted && !isStale && haltedSize == state.size;
         if (!stage || isHalted) {
             return;
         }
@@ -311,13 +335,23 @@ class Viewer {
         try {
             work();
         } catch (const Error& error) {
-            if (error.code == ExitCode::noDevice) {
-                throw; // lost
+            if (isLost()) {
+                throw;
             }
             state.say(error.what());
             dropPictures();
             isStale = false;
             isHalted = true;
+            haltedSize = state.size;
+        }
+    }
+
+    bool isLost() const {
+        try {
+            device.handle().waitIdle();
+            return false;
+        } catch (const vk::SystemError&) {
+            return true;
         }
     }
 
@@ -374,9 +408,12 @@ class Viewer {
     std::unique_ptr<Stage> stage;
     Sides sides;           // use the stage
     bool isStale = false;  // the picture is to begin anew
-    bool isHalted = false; // there is none until something changes
-    int quietFrames = 0;   // since something happened
-    std::uint32_t readings = 0;
+    bool isHalted = false; // there is none until something changes, or the window's size
+    glm::uvec2 haltedSize{0};
+    int quietFrames = 0; // since something happened
+    std::filesystem::path watchedFile;
+    std::uint32_t reading = 0; // SceneRequest's
+    std::uint32_t newestReading = 0;
 };
 
 } // namespace

@@ -79,6 +79,7 @@ struct ViewerState {
     std::deque<std::string> messages;         // the latest last
     std::string shaderError;                  // of the last change of a shader; empty: there is none
     std::string shaderFolder;                 // that is watched; empty: none
+    std::vector<std::string> runnable;        // traversals that the device can run
 
     std::optional<Pick> selected;
     std::optional<FrozenMarch> march;

@@ -122,8 +122,6 @@ glm::vec2 Window::cursor() const {
 
 bool Window::isHeld(const int key) const { return glfwGetKey(window, key) == GLFW_PRESS; }
 
-bool Window::isButtonHeld(const int button) const { return glfwGetMouseButton(window, button) == GLFW_PRESS; }
-
 void Window::setTitle(const std::string& wanted) {
     if (wanted != title) {
         title = wanted;

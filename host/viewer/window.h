@@ -64,7 +64,6 @@ class Window {
     float contentScale() const; // pixels that text takes in place of one
     glm::vec2 cursor() const;   // as ButtonChange::place
     bool isHeld(int key) const; // GLFW_KEY_…
-    bool isButtonHeld(int button) const;
     void setTitle(const std::string& title);
     void copy(const std::string& text); // to the clipboard
 
