@@ -13,9 +13,8 @@ SECONDS = float(os.environ.get("METAMARCH_SOAK_SECONDS", "15"))
 # All of them take minutes; until each has been compiled once, the memory of compilers grows.
 EVERY_TRAVERSAL = SECONDS >= 300
 WARM_ROUNDS = 12 if EVERY_TRAVERSAL else 1
-# Heaps of the driver and its compiler breathe by some MiB, and are not yet full after a few rounds. What leaks in each
-# frame is far more.
-MOST_GROWTH = 24 if EVERY_TRAVERSAL else 64  # MiB
+# Heaps of the driver and its compiler breathe by some MiB. What leaks in each frame is far more.
+MOST_GROWTH = 24  # MiB
 
 
 def resident(process):
