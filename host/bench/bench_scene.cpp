@@ -1,4 +1,4 @@
-#include "bench/bench_scene.h"
+#include "metamarch/bench/bench_scene.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // A scene made ready for every backend, and rays with the hits they must find.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "bench/cpu_tracer.h"
-#include "bench/ray_set.h"
-#include "bench/row.h"
-#include "bench/structure_cost.h"
-#include "scene/shading.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/bench/cpu_tracer.h"
+#include "metamarch/bench/ray_set.h"
+#include "metamarch/bench/row.h"
+#include "metamarch/bench/structure_cost.h"
+#include "metamarch/shading/shading.h"
 
 #include <string>
 #include <vector>

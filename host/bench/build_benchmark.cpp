@@ -3,14 +3,15 @@
 //   metamarch_build_bench [options of Google Benchmark] [SCENE...]
 //
 // Without a scene it builds over a sphere of 200,000 triangles. Importing the file is not measured.
-#include "accel/acceleration_structure.h"
-#include "error.h"
-#include "scene/import.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/error/error.h"
+#include "metamarch/scene/import.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
         for (int i = 1; i < argc; ++i) {
             if (argv[i][0] == '-') {
                 benchmark::ReportUnrecognizedArguments(argc, argv);
-                return static_cast<int>(ExitCode::badArguments);
+                return static_cast<int>(ErrorKind::invalidArgument);
             }
             add(std::filesystem::path(argv[i]).filename().string(), loadScene(argv[i]));
         }
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
         benchmark::RunSpecifiedBenchmarks();
     } catch (const Error& error) {
         std::fprintf(stderr, "metamarch_build_bench: %s\n", error.what());
-        return static_cast<int>(error.code);
+        return EXIT_FAILURE;
     }
-    return static_cast<int>(ExitCode::done);
+    return EXIT_SUCCESS;
 }

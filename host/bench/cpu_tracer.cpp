@@ -1,6 +1,6 @@
-#include "bench/cpu_tracer.h"
+#include "metamarch/bench/cpu_tracer.h"
 
-#include "reference/triangle_records.h"
+#include "metamarch/reference/triangle_records.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 // Rays through the judges, many at a time.
 #pragma once
-#include "reference/twins.h"
-#include "shared/ray_query.h"
+#include "metamarch/reference/twins.h"
+#include "metamarch/shared/ray_query.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "bench/embree_peer.h"
+#include "metamarch/bench/embree_peer.h"
 
-#include "bench/hit_check.h"
+#include "metamarch/bench/hit_check.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Embree on the processor, one thread, the same rays: what a grown CPU ray tracer makes of them. Built where
 // Embree 3 is found, METAMARCH_EMBREE then being defined.
 #pragma once
-#include "bench/bench_scene.h"
-#include "bench/measurement.h"
+#include "metamarch/bench/bench_scene.h"
+#include "metamarch/bench/measurement.h"
 
 #include <memory>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "bench/hit_check.h"
+#include "metamarch/bench/hit_check.h"
 
-#include "accel/lattice.h"
+#include "metamarch/accel/lattice.h"
 
 #include <bit>
 #include <cmath>

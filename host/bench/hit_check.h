@@ -1,7 +1,7 @@
 // Whether a traversal found what the judge found.
 #pragma once
-#include "reference/trace.h"
-#include "shared/ray_query.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/shared/ray_query.h"
 
 #include <cstdint>
 #include <span>

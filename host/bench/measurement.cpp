@@ -1,4 +1,4 @@
-#include "bench/measurement.h"
+#include "metamarch/bench/measurement.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // How a speed is measured: after a warm-up, until there are enough runs and enough time has gone by.
 #pragma once
-#include "bench/statistics.h"
+#include "metamarch/bench/statistics.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,10 +1,10 @@
-#include "bench/paper_bench.h"
+#include "metamarch/bench/paper_bench.h"
 
-#include "bench/secondary_rays.h"
-#include "bench/traversal_bench.h"
-#include "bench/views.h"
-#include "error.h"
-#include "scene/import.h"
+#include "metamarch/bench/secondary_rays.h"
+#include "metamarch/bench/traversal_bench.h"
+#include "metamarch/bench/views.h"
+#include "metamarch/error/error.h"
+#include "metamarch/scene/import.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,9 +22,10 @@ std::filesystem::path findModel(const PaperModel& model, const std::filesystem::
             }
         }
     }
-    throw Error(ExitCode::sceneRefused,
-                fmt::format("--scenes {}: the paper's {} is not there ({}); tools/fetch_scenes gets it",
-                            folder.string(), model.name, fmt::join(model.files, " or ")));
+    throw Error(ErrorKind::inputRefused,
+                fmt::format("{}: the paper's {} is not there ({}); tools/fetch_scenes gets it",
+                            folder.string(), model.name, fmt::join(model.files, " or ")),
+                {"scenes"});
 }
 
 double longestSide(const Scene& scene) {
@@ -73,7 +74,7 @@ std::unique_ptr<BenchScene> loadPaperModel(const PaperModel& model, const std::f
     auto result = std::make_unique<BenchScene>(model.name, std::move(scene), options);
     if (result->structure.lattice.cellCount != model.cells) {
         throw Error(
-            ExitCode::sceneRefused,
+            ErrorKind::inputRefused,
             fmt::format("{}: {} cells of {} instead of the paper's {}: another model, or another size",
                         file.string(), result->structure.lattice.cellCount, model.unit, model.cells));
     }

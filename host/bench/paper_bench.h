@@ -1,9 +1,9 @@
 // The paper's experiment (section 4) on its own models: visits per ray and render time of the stack traversal
 // and the march, by view.
 #pragma once
-#include "bench/bench_scene.h"
-#include "bench/measurement.h"
-#include "vulkan/device.h"
+#include "metamarch/bench/bench_scene.h"
+#include "metamarch/bench/measurement.h"
+#include "metamarch/vulkan/device.h"
 
 #include <array>
 #include <filesystem>
@@ -26,7 +26,7 @@ struct PaperModel {
 const std::array<PaperModel, 2>& paperModels();
 
 // Finds the model's file in `folder` or its folder `paper`, scales it and builds tree (depth 16) and table.
-// Throws Error(sceneRefused) where it is missing, or where the lattice has not the paper's cells.
+// Throws Error(inputRefused) where it is missing, or where the lattice has not the paper's cells.
 std::unique_ptr<BenchScene> loadPaperModel(const PaperModel& model, const std::filesystem::path& folder);
 
 inline constexpr std::array<const char*, 2> kPaperTraversals{"kd_stack", "meta_table"};

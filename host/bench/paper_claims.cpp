@@ -1,4 +1,4 @@
-#include "bench/paper_bench.h"
+#include "metamarch/bench/paper_bench.h"
 
 #include <fmt/format.h>
 

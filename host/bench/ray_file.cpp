@@ -1,6 +1,6 @@
-#include "bench/ray_file.h"
+#include "metamarch/bench/ray_file.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -18,11 +18,11 @@ static_assert(std::endian::native == std::endian::little);
 
 std::vector<FileRay> readAll(const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& what) {
-        throw Error(ExitCode::sceneRefused, fmt::format("{}: {}", path.string(), what));
+        throw Error(ErrorKind::inputRefused, fmt::format("{}: {}", path.string(), what));
     };
     std::error_code failure;
     if (!std::filesystem::is_regular_file(path, failure)) {
-        refuse("no such file; --rays wants a file of rays");
+        refuse("no such file of rays");
     }
     const std::uintmax_t size = std::filesystem::file_size(path, failure);
     if (size == 0 || size % sizeof(FileRay) != 0) {
@@ -43,7 +43,7 @@ RaySet readRayFile(const std::filesystem::path& path) {
     RaySet set;
     for (const FileRay& ray : readAll(path)) {
         const auto refuse = [&](const char* what) {
-            throw Error(ExitCode::sceneRefused,
+            throw Error(ErrorKind::inputRefused,
                         fmt::format("{}: ray {} {}", path.string(), set.rays.size(), what));
         };
         for (const float value : ray) {

@@ -1,9 +1,9 @@
-#include "bench/ray_set.h"
+#include "metamarch/bench/ray_set.h"
 
-#include "bench/random_numbers.h"
-#include "bench/secondary_rays.h"
-#include "bench/views.h"
-#include "shared/primary.h"
+#include "metamarch/bench/random_numbers.h"
+#include "metamarch/bench/secondary_rays.h"
+#include "metamarch/bench/views.h"
+#include "metamarch/shared/primary.h"
 
 #include <algorithm>
 #include <stdexcept>

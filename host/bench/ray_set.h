@@ -1,9 +1,10 @@
 // Rays to measure with: the same on every machine and in every run.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "reference/trace.h"
-#include "shared/camera.h"
-#include "shared/ray_query.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/scene/scene.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/shared/ray_query.h"
 
 #include <array>
 #include <string>

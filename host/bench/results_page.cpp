@@ -1,6 +1,6 @@
-#include "bench/results_page.h"
+#include "metamarch/bench/results_page.h"
 
-#include "bench/ray_set.h"
+#include "metamarch/bench/ray_set.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 // The rows as a page for a README.
 #pragma once
-#include "bench/row.h"
+#include "metamarch/bench/row.h"
 
 #include <span>
 #include <string>

@@ -1,4 +1,4 @@
-#include "bench/row.h"
+#include "metamarch/bench/row.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
-#include "bench/secondary_rays.h"
+#include "metamarch/bench/secondary_rays.h"
 
-#include "bench/cpu_tracer.h"
-#include "bench/random_numbers.h"
+#include "metamarch/bench/cpu_tracer.h"
+#include "metamarch/bench/random_numbers.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Rays that start where other rays ended.
 #pragma once
-#include "bench/ray_set.h"
+#include "metamarch/bench/ray_set.h"
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "bench/statistics.h"
+#include "metamarch/bench/statistics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "bench/structure_cost.h"
+#include "metamarch/bench/structure_cost.h"
 
-#include "bench/row.h"
+#include "metamarch/bench/row.h"
 
 #include <chrono>
 

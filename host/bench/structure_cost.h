@@ -1,6 +1,6 @@
 // What a traversal's structure takes: bytes fetched, bytes kept, time to build.
 #pragma once
-#include "accel/structure_set.h"
+#include "metamarch/accel/structure_set.h"
 
 #include <cstdint>
 #include <map>

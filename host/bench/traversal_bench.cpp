@@ -1,10 +1,10 @@
-#include "bench/traversal_bench.h"
+#include "metamarch/bench/traversal_bench.h"
 
-#include "bench/cpu_tracer.h"
-#include "bench/hit_check.h"
-#include "error.h"
-#include "render/floor_tracer.h"
-#include "render/ray_tracer.h"
+#include "metamarch/bench/cpu_tracer.h"
+#include "metamarch/bench/hit_check.h"
+#include "metamarch/error/error.h"
+#include "metamarch/render/floor_tracer.h"
+#include "metamarch/render/ray_tracer.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ Row measuredRow(BenchScene& scene, const JudgedRays& rays, const std::string& tr
     const std::uint64_t different =
         countDifferent(rays.set.rays, results, rays.judged.results, rays.set.query, tolerance);
     if (!isWithinBudget(different, results.size(), tolerance)) {
-        throw Error(ExitCode::comparisonFailed,
+        throw Error(ErrorKind::mismatch,
                     fmt::format("{}, {} rays: {} on {} differs from the judge in {} of {} hits", scene.name,
                                 rays.name, traversal, device, different, results.size()));
     }

@@ -1,13 +1,13 @@
 // Measures traversals on one scene: on a device and, as CPU twins, in one thread.
 #pragma once
-#include "bench/bench_scene.h"
-#include "bench/measurement.h"
-#include "render/scene_buffers.h"
+#include "metamarch/bench/bench_scene.h"
+#include "metamarch/bench/measurement.h"
+#include "metamarch/render/scene_buffers.h"
 
 namespace metamarch::bench {
 
 // All trace the rays once, compare the hits with the judge's and only then measure. They throw
-// Error(comparisonFailed), saying how many rays differ, where the hits are not the judge's.
+// Error(mismatch), saying how many rays differ, where the hits are not the judge's.
 Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
                   const Protocol& protocol);

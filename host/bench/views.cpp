@@ -1,4 +1,4 @@
-#include "bench/views.h"
+#include "metamarch/bench/views.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The cameras of the benchmarks: four views along the axes.
 #pragma once
-#include "scene/scene.h"
-#include "scene/view.h"
+#include "metamarch/scene/scene.h"
+#include "metamarch/shading/view.h"
 
 #include <array>
 #include <string>

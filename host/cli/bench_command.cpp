@@ -1,11 +1,11 @@
-#include "cli/bench_command.h"
+#include "metamarch/cli/bench_command.h"
 
-#include "bench/ray_set.h"
-#include "cli/bench_paper_command.h"
-#include "cli/bench_traversal_command.h"
-#include "error.h"
-#include "render/scene_buffers.h"
-#include "shader_library.h"
+#include "metamarch/bench/ray_set.h"
+#include "metamarch/cli/bench_paper_command.h"
+#include "metamarch/cli/bench_traversal_command.h"
+#include "metamarch/error/error.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,7 +51,7 @@ void addBenchCommand(CLI::App& program) {
             fmt::print("traversals: {}\nray sets: {}\n{}", fmt::join(traversals(), " "),
                        fmt::join(bench::raySetNames(), " "), notOffered());
         } else if (command->get_subcommands().empty()) {
-            throw Error(ExitCode::badArguments,
+            throw Error(ErrorKind::invalidArgument,
                         "bench: say what: traversal or paper, or --list (see `metamarch bench --help`)");
         }
     });

@@ -1,8 +1,8 @@
-#include "cli/bench_options.h"
+#include "metamarch/cli/bench_options.h"
 
-#include "cli/number_list.h"
-#include "cli/version.h"
-#include "error.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/cli/version.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -24,10 +24,10 @@ void BenchOptions::addTo(CLI::App& command) {
 
 bench::Protocol BenchOptions::protocol() const {
     if (repeat < 1) {
-        throw Error(ExitCode::badArguments, fmt::format("--repeat {}: give at least 1", repeat));
+        throw Error(ErrorKind::invalidArgument, fmt::format("--repeat {}: give at least 1", repeat));
     }
     if (!(seconds >= 0.0 && std::isfinite(seconds))) {
-        throw Error(ExitCode::badArguments, fmt::format("--seconds {}: give 0 or more", seconds));
+        throw Error(ErrorKind::invalidArgument, fmt::format("--seconds {}: give 0 or more", seconds));
     }
     return {static_cast<unsigned>(repeat), seconds};
 }

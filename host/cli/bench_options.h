@@ -1,8 +1,8 @@
 // What the benchmarks' sub-commands have in common.
 #pragma once
-#include "bench/measurement.h"
-#include "bench/row.h"
-#include "vulkan/device.h"
+#include "metamarch/bench/measurement.h"
+#include "metamarch/bench/row.h"
+#include "metamarch/vulkan/device.h"
 
 #include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
@@ -15,7 +15,7 @@ class BenchOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throw Error(badArguments) for values out of range.
+    // Throw Error(invalidArgument) for values out of range.
     bench::Protocol protocol() const;
     glm::uvec2 size() const;
 

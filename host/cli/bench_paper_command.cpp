@@ -1,10 +1,10 @@
-#include "cli/bench_paper_command.h"
+#include "metamarch/cli/bench_paper_command.h"
 
-#include "bench/paper_bench.h"
-#include "cli/bench_options.h"
-#include "cli/warnings.h"
-#include "error.h"
-#include "image/output_file.h"
+#include "metamarch/bench/paper_bench.h"
+#include "metamarch/cli/bench_options.h"
+#include "metamarch/cli/warnings.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/output_file.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ void makeFolder(const std::filesystem::path& folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
-        throw Error(ExitCode::outputNotWritable, fmt::format("{}: {}", folder.string(), failure.message()));
+        throw Error(ErrorKind::outputNotWritable, fmt::format("{}: {}", folder.string(), failure.message()));
     }
 }
 

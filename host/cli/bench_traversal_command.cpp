@@ -1,18 +1,18 @@
-#include "cli/bench_traversal_command.h"
+#include "metamarch/cli/bench_traversal_command.h"
 
-#include "bench/ray_file.h"
-#include "bench/results_page.h"
-#include "bench/traversal_bench.h"
-#include "cli/bench_options.h"
-#include "cli/scene_options.h"
-#include "cli/structure_options.h"
-#include "cli/warnings.h"
-#include "error.h"
-#include "image/output_file.h"
-#include "scene/import.h"
-#include "shader_library.h"
+#include "metamarch/bench/ray_file.h"
+#include "metamarch/bench/results_page.h"
+#include "metamarch/bench/traversal_bench.h"
+#include "metamarch/cli/bench_options.h"
+#include "metamarch/cli/scene_options.h"
+#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/warnings.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/output_file.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shaders/shader_library.h"
 #ifdef METAMARCH_EMBREE
-#include "bench/embree_peer.h"
+#include "metamarch/bench/embree_peer.h"
 #endif
 
 #include <fmt/format.h>
@@ -82,7 +82,7 @@ class RowSink {
         try {
             add(makeRow());
         } catch (const Error& error) {
-            if (error.code != ExitCode::comparisonFailed) {
+            if (error.kind != ErrorKind::mismatch) {
                 throw;
             }
             refused.emplace_back(error.what());
@@ -213,7 +213,7 @@ void runTraversal(const TraversalOptions& options) {
         writeText(options.markdownPath, bench::resultsPage(origin, sink.rows));
     }
     if (!sink.refused.empty()) {
-        throw Error(ExitCode::comparisonFailed,
+        throw Error(ErrorKind::mismatch,
                     fmt::format("{} rows left out: {}", sink.refused.size(), fmt::join(sink.refused, "; ")));
     }
 }

@@ -1,8 +1,8 @@
-#include "cli/compare_command.h"
+#include "metamarch/cli/compare_command.h"
 
-#include "error.h"
-#include "image/comparison.h"
-#include "image/image_file.h"
+#include "metamarch/error/error.h"
+#include "metamarch/image/comparison.h"
+#include "metamarch/image/image_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,7 +94,8 @@ std::string failureLine(const Comparison& comparison, const CompareOptions& opti
 
 void checkBound(const char* option, double value) {
     if (!(value >= 0.0)) // NaN too
-        throw Error(ExitCode::badArguments, fmt::format("{}: {} is no bound; give 0 or more", option, value));
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("{}: {} is no bound; give 0 or more", option, value));
 }
 
 void runCompare(const CompareOptions& options) {
@@ -114,7 +115,7 @@ void runCompare(const CompareOptions& options) {
     if (!options.differencePath.empty() && !comparison.channels.empty())
         writeImage(differenceImage(a, b), options.differencePath);
     if (!comparison.passed)
-        throw Error(ExitCode::comparisonFailed, failureLine(comparison, options));
+        throw Error(ErrorKind::mismatch, failureLine(comparison, options));
 }
 
 } // namespace

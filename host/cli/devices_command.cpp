@@ -1,9 +1,9 @@
-#include "cli/devices_command.h"
+#include "metamarch/cli/devices_command.h"
 
-#include "error.h"
-#include "vulkan/byte_text.h"
-#include "vulkan/device_choice.h"
-#include "vulkan/device_report.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/byte_text.h"
+#include "metamarch/vulkan/device_choice.h"
+#include "metamarch/vulkan/device_report.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -102,7 +102,7 @@ void runDevices(bool json) {
     if (json) // a driver may call its device by bytes that are no UTF-8
         fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     if (!defaultIndex)
-        throw Error(ExitCode::noDevice, "no usable Vulkan device; the list above says why");
+        throw Error(ErrorKind::noDevice, "no usable Vulkan device; the list above says why");
 }
 
 } // namespace

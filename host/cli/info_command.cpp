@@ -1,11 +1,11 @@
-#include "cli/info_command.h"
+#include "metamarch/cli/info_command.h"
 
-#include "accel/structure_set.h"
-#include "cli/scene_options.h"
-#include "cli/structure_options.h"
-#include "cli/structure_report.h"
-#include "cli/warnings.h"
-#include "scene/import.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/cli/scene_options.h"
+#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/structure_report.h"
+#include "metamarch/cli/warnings.h"
+#include "metamarch/scene/import.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "cli/light_options.h"
+#include "metamarch/cli/light_options.h"
 
-#include "cli/number_list.h"
-#include "error.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ void LightOptions::addTo(CLI::App& command) {
 }
 
 void LightOptions::check() const {
-    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
     const bool hasSky = sky || !sun.empty();
     if (int{!environment.empty()} + int{!background.empty()} + int{hasSky} > 1) {
         refuse("--env, --background and --sky (--sun) exclude each other");

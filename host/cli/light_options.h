@@ -1,6 +1,6 @@
 // The options for light that does not come from the scene's file.
 #pragma once
-#include "scene/light_choice.h"
+#include "metamarch/shading/light_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +13,7 @@ class LightOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range and for options that exclude each other.
+    // Throws Error(invalidArgument) for values out of range and for options that exclude each other.
     void check() const;
 
     LightChoice parse() const;

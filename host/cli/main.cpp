@@ -1,27 +1,27 @@
 // The program: parses the command line, runs one sub-command, turns every failure into one line and an exit
 // code.
-#include "cli/bench_command.h"
-#include "cli/compare_command.h"
-#include "cli/devices_command.h"
-#include "cli/info_command.h"
-#include "cli/nearest_word.h"
-#include "cli/render_command.h"
-#include "cli/version.h"
-#include "cli/view_command.h"
-#include "error.h"
-#include "vulkan/context.h"
+#include "metamarch/cli/bench_command.h"
+#include "metamarch/cli/compare_command.h"
+#include "metamarch/cli/devices_command.h"
+#include "metamarch/cli/exit_code.h"
+#include "metamarch/cli/info_command.h"
+#include "metamarch/cli/nearest_word.h"
+#include "metamarch/cli/render_command.h"
+#include "metamarch/cli/version.h"
+#include "metamarch/cli/view_command.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/context.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <new>
 
 namespace metamarch::cli {
 namespace {
-
-// What no documented code covers: a defect of the program (EX_SOFTWARE of sysexits.h).
-constexpr int kInternalError = 70;
 
 constexpr const char* kFooter = "Exit codes:\n"
                                 "   0  done; for compare: within bounds\n"
@@ -36,12 +36,32 @@ constexpr const char* kFooter = "Exit codes:\n"
                                 "Example:\n"
                                 "  build/metamarch devices";
 
-int report(int code, const std::string& line) {
+int report(const ExitCode code, const std::string& line) {
     fmt::print(stderr, "metamarch: {}\n", line);
-    return code;
+    return static_cast<int>(code);
 }
 
-int report(ExitCode code, const std::string& line) { return report(static_cast<int>(code), line); }
+// "--tree-depth" of the library's "treeDepth".
+std::string optionOf(const std::string& setting) {
+    std::string option = "--";
+    for (const char letter : setting) {
+        if (letter >= 'A' && letter <= 'Z') {
+            option += '-';
+            option += static_cast<char>(letter - 'A' + 'a');
+        } else {
+            option += letter;
+        }
+    }
+    return option;
+}
+
+int report(const Error& error) {
+    std::vector<std::string> options;
+    std::ranges::transform(error.settings, std::back_inserter(options), optionOf);
+    return report(exitCodeOf(error.kind),
+                  options.empty() ? error.what()
+                                  : fmt::format("{} ({})", error.what(), fmt::join(options, ", ")));
+}
 
 std::vector<std::string> commandNames(const CLI::App& program) {
     std::vector<std::string> names;
@@ -118,7 +138,7 @@ int run(int argc, char** argv) {
 // What sub-commands print stays in a buffer until here: a full disk may show only now.
 void flushOutput() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throw Error(ExitCode::outputNotWritable, "cannot write to standard output");
+        throw Error(ErrorKind::outputNotWritable, "cannot write to standard output");
 }
 
 } // namespace
@@ -132,12 +152,12 @@ int main(int argc, char** argv) {
         // Validation is for developers, and a message a defect of the program.
         return vulkan::validationMessages() == 0
                    ? code
-                   : cli::report(cli::kInternalError, "the validation layer complained; see above");
+                   : cli::report(cli::ExitCode::internalError, "the validation layer complained; see above");
     } catch (const Error& error) {
-        return cli::report(error.code, error.what());
+        return cli::report(error);
     } catch (const std::bad_alloc&) {
-        return cli::report(ExitCode::outOfMemory, "out of memory");
+        return cli::report(cli::ExitCode::outOfMemory, "out of memory");
     } catch (const std::exception& error) {
-        return cli::report(cli::kInternalError, fmt::format("internal error: {}", error.what()));
+        return cli::report(cli::ExitCode::internalError, fmt::format("internal error: {}", error.what()));
     }
 }

@@ -1,4 +1,4 @@
-#include "cli/nearest_word.h"
+#include "metamarch/cli/nearest_word.h"
 
 #include <algorithm>
 #include <numeric>

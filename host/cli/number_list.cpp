@@ -1,6 +1,6 @@
-#include "cli/number_list.h"
+#include "metamarch/cli/number_list.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ std::optional<std::vector<Number>> parseNumbers(std::string_view text, const cha
 }
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const char* wanted) {
-    throw Error(ExitCode::badArguments, fmt::format("{} {}: give {}", option, text, wanted));
+    throw Error(ErrorKind::invalidArgument, fmt::format("{} {}: give {}", option, text, wanted));
 }
 
 bool allFinite(const std::vector<double>& numbers) {
@@ -72,8 +72,8 @@ glm::uvec2 parseSize(const std::string& option, const std::string& text) {
     }
     const std::uint64_t pixels = std::uint64_t{numbers->front()} * numbers->back();
     if (pixels > kMaxPixels) {
-        throw Error(ExitCode::outOfMemory, fmt::format("{} {}: {} pixels are over the limit of {}", option,
-                                                       text, pixels, kMaxPixels));
+        throw Error(ErrorKind::outOfMemory, fmt::format("{} {}: {} pixels are over the limit of {}", option,
+                                                        text, pixels, kMaxPixels));
     }
     return {numbers->front(), numbers->back()};
 }

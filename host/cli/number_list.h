@@ -7,14 +7,14 @@
 
 namespace metamarch::cli {
 
-// "x,y,z", three finite numbers. Throws Error(badArguments) naming `option`.
+// "x,y,z", three finite numbers. Throws Error(invalidArgument) naming `option`.
 glm::dvec3 parsePoint(const std::string& option, const std::string& text);
 
-// "U" for all three axes or "Ux,Uy,Uz". Throws Error(badArguments) naming `option`.
+// "U" for all three axes or "Ux,Uy,Uz". Throws Error(invalidArgument) naming `option`.
 glm::dvec3 parseOneOrThree(const std::string& option, const std::string& text);
 
-// "WxH", both at least 1. Throws Error(badArguments) for anything else and Error(outOfMemory) for a picture
-// over kMaxPixels.
+// "WxH", both at least 1. Throws Error(invalidArgument) for anything else and Error(outOfMemory) for a
+// picture over kMaxPixels.
 glm::uvec2 parseSize(const std::string& option, const std::string& text);
 
 // Pixels of a picture: they take about 100 bytes each while it is rendered and written.

@@ -1,6 +1,6 @@
-#include "cli/path_options.h"
+#include "metamarch/cli/path_options.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +43,7 @@ void PathOptions::addTo(CLI::App& command) {
 }
 
 void PathOptions::check() const {
-    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
     if (spp < 1 || spp > kMostSamples) {
         refuse(fmt::format("--spp {}: give 1 to {}", spp, kMostSamples));
     }

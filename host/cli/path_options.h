@@ -1,6 +1,6 @@
 // The options of the path tracer.
 #pragma once
-#include "scene/path_choice.h"
+#include "metamarch/shading/path_choice.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,7 +15,7 @@ class PathOptions {
 
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range.
+    // Throws Error(invalidArgument) for values out of range.
     void check() const;
 
     std::uint32_t samples() const { return spp; }

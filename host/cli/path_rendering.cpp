@@ -1,13 +1,13 @@
-#include "cli/path_rendering.h"
+#include "metamarch/cli/path_rendering.h"
 
-#include "cli/progress.h"
-#include "cli/warnings.h"
-#include "image/film_image.h"
-#include "image/picture_header.h"
-#include "reference/path.h"
-#include "render/path_renderer.h"
-#include "scene/shading.h"
-#include "stopwatch.h"
+#include "metamarch/cli/progress.h"
+#include "metamarch/cli/warnings.h"
+#include "metamarch/image/film_image.h"
+#include "metamarch/image/picture_header.h"
+#include "metamarch/reference/path.h"
+#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/stopwatch.h"
+#include "metamarch/shading/shading.h"
 
 #include <fmt/format.h>
 

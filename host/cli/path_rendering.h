@@ -1,7 +1,7 @@
 // The path tracer for `metamarch render`.
 #pragma once
-#include "cli/rendering.h"
-#include "scene/shading_scene.h"
+#include "metamarch/cli/rendering.h"
+#include "metamarch/shared/shading_scene.h"
 
 namespace metamarch::cli {
 

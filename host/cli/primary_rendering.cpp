@@ -1,11 +1,11 @@
-#include "cli/primary_rendering.h"
+#include "metamarch/cli/primary_rendering.h"
 
-#include "cli/progress.h"
-#include "image/primary_image.h"
-#include "reference/primary.h"
-#include "render/primary_renderer.h"
-#include "scene/shading.h"
-#include "stopwatch.h"
+#include "metamarch/cli/progress.h"
+#include "metamarch/image/primary_image.h"
+#include "metamarch/reference/primary.h"
+#include "metamarch/render/primary_renderer.h"
+#include "metamarch/render/stopwatch.h"
+#include "metamarch/shading/shading.h"
 
 #include <fmt/format.h>
 

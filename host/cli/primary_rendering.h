@@ -1,6 +1,6 @@
 // The `primary` integrator for `metamarch render`.
 #pragma once
-#include "cli/rendering.h"
+#include "metamarch/cli/rendering.h"
 
 namespace metamarch::cli {
 

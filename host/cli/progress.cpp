@@ -1,4 +1,4 @@
-#include "cli/progress.h"
+#include "metamarch/cli/progress.h"
 
 #include <fmt/format.h>
 

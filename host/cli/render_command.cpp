@@ -1,27 +1,27 @@
-#include "cli/render_command.h"
+#include "metamarch/cli/render_command.h"
 
-#include "cli/light_options.h"
-#include "cli/number_list.h"
-#include "cli/path_options.h"
-#include "cli/path_rendering.h"
-#include "cli/primary_rendering.h"
-#include "cli/scene_options.h"
-#include "cli/structure_options.h"
-#include "cli/structure_report.h"
-#include "cli/tone_options.h"
-#include "cli/version.h"
-#include "cli/view_options.h"
-#include "cli/warnings.h"
-#include "error.h"
-#include "image/image_file.h"
-#include "image/output_file.h"
-#include "image/picture_header.h"
-#include "render/scene_buffers.h"
-#include "scene/import.h"
-#include "scene/lit_scene.h"
-#include "scene/view.h"
-#include "shader_library.h"
-#include "stopwatch.h"
+#include "metamarch/cli/light_options.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/cli/path_options.h"
+#include "metamarch/cli/path_rendering.h"
+#include "metamarch/cli/primary_rendering.h"
+#include "metamarch/cli/scene_options.h"
+#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/structure_report.h"
+#include "metamarch/cli/tone_options.h"
+#include "metamarch/cli/version.h"
+#include "metamarch/cli/view_options.h"
+#include "metamarch/cli/warnings.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/output_file.h"
+#include "metamarch/image/image_file.h"
+#include "metamarch/image/picture_header.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/render/stopwatch.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/lit_scene.h"
+#include "metamarch/shading/view.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +54,7 @@ struct RenderOptions {
 void checkArguments(const RenderOptions& options) {
     if (options.backend == "cpu" && !(options.device.empty() && options.traversal.empty())) {
         throw Error(
-            ExitCode::badArguments,
+            ErrorKind::invalidArgument,
             "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
             "for the gpu");
     }
@@ -103,7 +103,7 @@ void runRender(const RenderOptions& options) {
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
         if (sameFile(options.statsPath, options.outputPath)) {
-            throw Error(ExitCode::badArguments, "--stats and --output name the same file");
+            throw Error(ErrorKind::invalidArgument, "--stats and --output name the same file");
         }
     }
 
@@ -141,8 +141,8 @@ void runRender(const RenderOptions& options) {
     }
     addHeader(rendering.image,
               {programVersion(), rendering.device, rendering.driver, rendering.traversal, options.integrator,
-               options.scenePath, rendering.stats["seconds"]["render"].get<double>()},
-              sceneCamera);
+               options.scenePath, rendering.stats["seconds"]["render"].get<double>(), sceneCamera.name,
+               sceneCamera.eye, sceneCamera.forward, sceneCamera.up});
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
     writeImage(rendering.image, options.outputPath, options.tone.parse(options.integrator));
     if (!options.statsPath.empty()) {

@@ -1,7 +1,7 @@
-#include "cli/rendering.h"
+#include "metamarch/cli/rendering.h"
 
-#include "cli/structure_options.h"
-#include "cli/structure_report.h"
+#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/structure_report.h"
 
 namespace metamarch::cli {
 

@@ -1,11 +1,11 @@
 // What `metamarch render` makes of a scene, whichever integrator draws it.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "image/image.h"
-#include "render/scene_buffers.h"
-#include "scene/scene.h"
-#include "shared/camera.h"
-#include "vulkan/device.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/image/image.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/scene/scene.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/vulkan/device.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
-#include "cli/scene_options.h"
+#include "metamarch/cli/scene_options.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -31,14 +31,14 @@ ImportOptions SceneOptions::parse() const {
     ImportOptions parsed = options;
     parsed.scale = static_cast<float>(scale);
     if (!std::isfinite(parsed.scale) || parsed.scale == 0.0f) {
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     fmt::format("--scale {}: give a finite number other than 0", scale));
     }
     if (parsed.time && !std::isfinite(*parsed.time)) {
-        throw Error(ExitCode::badArguments, fmt::format("--time {}: give finite seconds", *parsed.time));
+        throw Error(ErrorKind::invalidArgument, fmt::format("--time {}: give finite seconds", *parsed.time));
     }
     if (!parsed.animation.empty() && !parsed.time) {
-        throw Error(ExitCode::badArguments, "--animation needs --time");
+        throw Error(ErrorKind::invalidArgument, "--animation needs --time");
     }
     return parsed;
 }

@@ -1,6 +1,6 @@
 // The options that say what of a scene file is wanted, the same for every sub-command that reads one.
 #pragma once
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
 #include <CLI/CLI.hpp>
 
@@ -10,7 +10,7 @@ class SceneOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range.
+    // Throws Error(invalidArgument) for values out of range.
     ImportOptions parse() const;
 
   private:

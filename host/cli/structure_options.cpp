@@ -1,10 +1,10 @@
-#include "cli/structure_options.h"
+#include "metamarch/cli/structure_options.h"
 
-#include "accel/partition_file.h"
-#include "cli/number_list.h"
-#include "error.h"
-#include "shader_library.h"
-#include "shared/kd_node.h"
+#include "metamarch/accel/partition_file.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/error/error.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shared/kd_node.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ std::string_view marchThrough(const TableMethod method) {
 
 void requireTable(const TableMethod method, const std::string_view traversal) {
     if (method == TableMethod::rectilinear && traversal != marchThrough(method)) {
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     fmt::format("--table rectilinear is marched by {} alone, not by {}", marchThrough(method),
                                 traversal));
     }
@@ -82,7 +82,7 @@ void StructureOptions::addTo(CLI::App& command) {
 }
 
 TableMethod StructureOptions::parseTable() const {
-    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
     const TableMethod method = table == "gcd"           ? TableMethod::gcd
                                : table == "rectilinear" ? TableMethod::rectilinear
                                                         : TableMethod::unit;
@@ -108,16 +108,16 @@ AccelerationOptions StructureOptions::parse() const {
     if (!unit.empty()) {
         options.unit = parseOneOrThree("--unit", unit);
         if (!(options.unit->x > 0.0 && options.unit->y > 0.0 && options.unit->z > 0.0)) {
-            throw Error(ExitCode::badArguments,
+            throw Error(ErrorKind::invalidArgument,
                         fmt::format("--unit {}: a unit length is greater than 0", unit));
         }
     }
     if (cells && !(*cells >= 1.0)) { // NaN too
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     fmt::format("--cells {}: a lattice has at least one cell", *cells));
     }
     if (treeDepth && *treeDepth > kMaxTreeDepth) {
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     fmt::format("--tree-depth {}: the limit is {}", *treeDepth, kMaxTreeDepth));
     }
     if (cells) {

@@ -1,6 +1,6 @@
 // The options that shape tree and table, the same for every sub-command that builds them.
 #pragma once
-#include "accel/options.h"
+#include "metamarch/accel/options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +13,7 @@ namespace metamarch::cli {
 // The traversal that marches the tables of `method`.
 std::string_view marchThrough(TableMethod method);
 
-// Throws Error(badArguments) where `traversal` cannot go with what --table asks for: the rectilinear table
+// Throws Error(invalidArgument) where `traversal` cannot go with what --table asks for: the rectilinear table
 // has one traversal, and the others would walk what was not asked for.
 void requireTable(TableMethod method, std::string_view traversal);
 
@@ -21,7 +21,7 @@ class StructureOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range and what readPartition throws.
+    // Throws Error(invalidArgument) for values out of range and what readPartition throws.
     AccelerationOptions parse() const;
 
   private:

@@ -1,4 +1,4 @@
-#include "cli/structure_report.h"
+#include "metamarch/cli/structure_report.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // Scene, tree and table in numbers: for `info` and for --stats.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "accel/rectilinear_table.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/rectilinear_table.h"
+#include "metamarch/scene/scene.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
-#include "cli/tone_options.h"
+#include "metamarch/cli/tone_options.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +35,8 @@ void ToneOptions::addTo(CLI::App& command) {
 
 void ToneOptions::check() const {
     if (!(std::abs(exposure) <= kMostStops)) {
-        throw Error(ExitCode::badArguments, fmt::format("--exposure {}: give stops from -{} to {}", exposure,
-                                                        kMostStops, kMostStops));
+        throw Error(ErrorKind::invalidArgument, fmt::format("--exposure {}: give stops from -{} to {}",
+                                                            exposure, kMostStops, kMostStops));
     }
 }
 

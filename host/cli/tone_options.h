@@ -1,6 +1,6 @@
 // The options that say how light becomes the 8 bits of a PNG.
 #pragma once
-#include "image/tone_mapping.h"
+#include "metamarch/image/tone_mapping.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,7 +12,7 @@ class ToneOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range.
+    // Throws Error(invalidArgument) for values out of range.
     void check() const;
 
     // `integrator` primary is shown as it is where nothing is asked for.

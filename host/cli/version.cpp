@@ -1,4 +1,4 @@
-#include "cli/version.h"
+#include "metamarch/cli/version.h"
 
 #include "git_commit.h"
 

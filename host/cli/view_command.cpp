@@ -1,20 +1,20 @@
-#include "cli/view_command.h"
+#include "metamarch/cli/view_command.h"
 
-#include "cli/light_options.h"
-#include "cli/number_list.h"
-#include "cli/path_options.h"
-#include "cli/scene_options.h"
-#include "cli/structure_options.h"
-#include "cli/tone_options.h"
-#include "cli/version.h"
-#include "cli/view_options.h"
-#include "error.h"
-#include "render/view_names.h"
-#include "shader_library.h"
+#include "metamarch/cli/light_options.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/cli/path_options.h"
+#include "metamarch/cli/scene_options.h"
+#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/tone_options.h"
+#include "metamarch/cli/version.h"
+#include "metamarch/cli/view_options.h"
+#include "metamarch/error/error.h"
+#include "metamarch/render/view_names.h"
+#include "metamarch/shaders/shader_library.h"
 
 #ifdef METAMARCH_HAS_VIEWER
-#include "viewer/actions.h"
-#include "viewer/viewer.h"
+#include "metamarch/viewer/actions.h"
+#include "metamarch/viewer/viewer.h"
 #endif
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ void runView(const ViewerArguments& arguments) {
     arguments.tone.check();
     std::error_code error;
     if (!arguments.shaderFolder.empty() && !std::filesystem::is_directory(arguments.shaderFolder, error)) {
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     fmt::format("--shaders {}: there is no such folder", arguments.shaderFolder));
     }
     viewer::ViewerOptions options;
@@ -124,7 +124,7 @@ void runView(const ViewerArguments& arguments) {
 #else
 
 void runView(const ViewerArguments&) {
-    throw Error(ExitCode::noDevice,
+    throw Error(ErrorKind::noDevice,
                 "this build has no viewer: GLFW, Dear ImGui or glslang was missing when it was "
                 "configured (Debian: libglfw3-dev libimgui-dev glslang-dev)");
 }

@@ -1,7 +1,7 @@
-#include "cli/view_options.h"
+#include "metamarch/cli/view_options.h"
 
-#include "cli/number_list.h"
-#include "error.h"
+#include "metamarch/cli/number_list.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ void ViewOptions::addTo(CLI::App& command) {
 }
 
 void ViewOptions::check(const std::string& integrator) const {
-    const auto refuse = [](const std::string& line) { throw Error(ExitCode::badArguments, line); };
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
     if (eye.empty() != target.empty()) {
         refuse("--eye and --target belong together");
     }

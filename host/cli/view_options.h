@@ -1,6 +1,6 @@
 // The options that say from where and through which lens a picture is taken.
 #pragma once
-#include "scene/view.h"
+#include "metamarch/shading/view.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,12 +13,12 @@ class ViewOptions {
   public:
     void addTo(CLI::App& command);
 
-    // Throws Error(badArguments) for values out of range, options that exclude each other, and a lens or
+    // Throws Error(invalidArgument) for values out of range, options that exclude each other, and a lens or
     // filter for `integrator` primary, whose rays go through pixel centres.
     void check(const std::string& integrator) const;
 
     // The camera asked for, else the scene's first, else one that sees the whole scene. Throws
-    // Error(badArguments) for a camera that does not exist and a view without direction.
+    // Error(invalidArgument) for a camera that does not exist and a view without direction.
     SceneCamera choose(const Scene& scene, glm::uvec2 size) const;
 
     CameraOptions parse() const;

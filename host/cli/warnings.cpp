@@ -1,4 +1,4 @@
-#include "cli/warnings.h"
+#include "metamarch/cli/warnings.h"
 
 #include <fmt/format.h>
 

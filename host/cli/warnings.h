@@ -1,7 +1,7 @@
 // What the user should know of a scene that is read all the same: on stderr, a line each.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "scene/scene.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/scene/scene.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
-#include "render/cut_short.h"
+#include "metamarch/render/cut_short.h"
 
-#include "error.h"
-#include "shared/triangle.h"
+#include "metamarch/error/error.h"
+#include "metamarch/shared/triangle.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,13 @@ namespace metamarch::render {
 void refuseCutShort(const std::uint32_t steps, const vulkan::Device& device, const std::string& traversal) {
     if (steps == kCutShort) {
         throw Error(
-            ExitCode::outOfMemory,
+            ErrorKind::outOfMemory,
             fmt::format(
                 "{}: the driver ended a ray's loops before {} was done (llvmpipe allows 65535 turns): "
-                "too many triangles in a leaf; choose more --cells, a larger --tree-depth or "
-                "--backend cpu",
-                device.name(), traversal));
+                "too many triangles in a leaf; choose more cells, a larger tree depth or "
+                "the CPU",
+                device.name(), traversal),
+            {"cells", "treeDepth", "backend"});
     }
 }
 

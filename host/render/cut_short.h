@@ -1,6 +1,6 @@
 // Traversals that a driver ended before they were done.
 #pragma once
-#include "vulkan/device.h"
+#include "metamarch/vulkan/device.h"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "render/floor_tracer.h"
+#include "metamarch/render/floor_tracer.h"
 
 namespace metamarch::render {
 

@@ -1,7 +1,7 @@
 // Rays whose hits are known in advance: the kernel `floor`, what tracing costs a device at least.
 #pragma once
-#include "render/ray_batches.h"
-#include "render/scene_buffers.h"
+#include "metamarch/render/ray_batches.h"
+#include "metamarch/render/scene_buffers.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "render/inspector.h"
+#include "metamarch/render/inspector.h"
 
-#include "shared/primary.h"
-#include "vulkan/transfer.h"
+#include "metamarch/shared/primary.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // Pictures that make the algorithm visible: the kernels `inspect` and `cells`.
 #pragma once
-#include "render/scene_buffers.h"
-#include "render/shading_buffers.h"
-#include "render/work_size.h"
-#include "shared/camera.h"
-#include "shared/inspect_view.h"
-#include "vulkan/submission.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/render/shading_buffers.h"
+#include "metamarch/render/work_size.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/shared/inspect_view.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
 #include <map>

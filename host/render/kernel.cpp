@@ -1,6 +1,6 @@
-#include "render/kernel.h"
+#include "metamarch/render/kernel.h"
 
-#include "shader_library.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <algorithm>
 #include <string>

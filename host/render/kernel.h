@@ -1,6 +1,6 @@
 // Kernels that read no scene.
 #pragma once
-#include "vulkan/compute_pipeline.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
 #include <string_view>
 

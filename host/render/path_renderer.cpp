@@ -1,6 +1,6 @@
-#include "render/path_renderer.h"
+#include "metamarch/render/path_renderer.h"
 
-#include "render/path_tracer.h"
+#include "metamarch/render/path_tracer.h"
 
 #include <algorithm>
 

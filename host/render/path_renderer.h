@@ -1,9 +1,9 @@
 // The path tracer on a Vulkan device.
 #pragma once
-#include "render/scene_buffers.h"
-#include "render/shading_buffers.h"
-#include "shared/film.h"
-#include "shared/path_input.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/render/shading_buffers.h"
+#include "metamarch/shared/film.h"
+#include "metamarch/shared/path_input.h"
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
-#include "render/path_tracer.h"
+#include "metamarch/render/path_tracer.h"
 
-#include "render/cut_short.h"
-#include "shared/primary.h"
-#include "vulkan/transfer.h"
+#include "metamarch/render/cut_short.h"
+#include "metamarch/shared/primary.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
 #include <cstring>

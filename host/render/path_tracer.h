@@ -1,12 +1,12 @@
 // The path tracer on a Vulkan device, one short submission at a time: for pictures that are rendered at one
 // go and for those that grow on a screen.
 #pragma once
-#include "render/scene_buffers.h"
-#include "render/shading_buffers.h"
-#include "render/work_size.h"
-#include "shared/film.h"
-#include "shared/path_input.h"
-#include "vulkan/submission.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/render/shading_buffers.h"
+#include "metamarch/render/work_size.h"
+#include "metamarch/shared/film.h"
+#include "metamarch/shared/path_input.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
 #include <span>

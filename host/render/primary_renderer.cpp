@@ -1,9 +1,9 @@
-#include "render/primary_renderer.h"
+#include "metamarch/render/primary_renderer.h"
 
-#include "render/cut_short.h"
-#include "render/work_size.h"
-#include "vulkan/submission.h"
-#include "vulkan/transfer.h"
+#include "metamarch/render/cut_short.h"
+#include "metamarch/render/work_size.h"
+#include "metamarch/vulkan/submission.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The `primary` integrator on a Vulkan device.
 #pragma once
-#include "render/scene_buffers.h"
-#include "shared/primary.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/shared/primary.h"
 
 #include <functional>
 #include <string>

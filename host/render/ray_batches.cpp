@@ -1,6 +1,6 @@
-#include "render/ray_batches.h"
+#include "metamarch/render/ray_batches.h"
 
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,8 +1,8 @@
 // Runs a kernel of one invocation per ray over any number of rays.
 #pragma once
-#include "render/work_size.h"
-#include "shared/ray_query.h"
-#include "vulkan/submission.h"
+#include "metamarch/render/work_size.h"
+#include "metamarch/shared/ray_query.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
 #include <span>

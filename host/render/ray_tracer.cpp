@@ -1,6 +1,6 @@
-#include "render/ray_tracer.h"
+#include "metamarch/render/ray_tracer.h"
 
-#include "render/cut_short.h"
+#include "metamarch/render/cut_short.h"
 
 namespace metamarch::render {
 

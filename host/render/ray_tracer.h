@@ -1,7 +1,7 @@
 // Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
 #pragma once
-#include "render/ray_batches.h"
-#include "render/scene_buffers.h"
+#include "metamarch/render/ray_batches.h"
+#include "metamarch/render/scene_buffers.h"
 
 #include <span>
 #include <string>

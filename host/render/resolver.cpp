@@ -1,7 +1,7 @@
-#include "render/resolver.h"
+#include "metamarch/render/resolver.h"
 
-#include "render/kernel.h"
-#include "shared/primary.h"
+#include "metamarch/render/kernel.h"
+#include "metamarch/shared/primary.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // From films to pictures of 8 bits, on the device: the kernel `resolve`.
 #pragma once
-#include "image/tone_mapping.h"
-#include "render/path_tracer.h"
-#include "shared/screen.h"
+#include "metamarch/image/tone_mapping.h"
+#include "metamarch/render/path_tracer.h"
+#include "metamarch/shared/screen.h"
 
 #include <glm/glm.hpp>
 

@@ -1,9 +1,9 @@
-#include "render/scene_buffers.h"
+#include "metamarch/render/scene_buffers.h"
 
-#include "accel/triangle_box.h"
-#include "error.h"
-#include "vulkan/byte_text.h"
-#include "vulkan/transfer.h"
+#include "metamarch/accel/triangle_box.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/byte_text.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,10 @@ const Shader& findShader(const std::string& kernel, const std::string& traversal
             return shader;
         }
     }
-    throw Error(ExitCode::badArguments, fmt::format("--traversal {}: no such traversal; there are: {}",
-                                                    traversal, fmt::join(traversals(), ", ")));
+    throw Error(
+        ErrorKind::invalidArgument,
+        fmt::format("there is no traversal {}; there are: {}", traversal, fmt::join(traversals(), ", ")),
+        {"traversal"});
 }
 
 template <class T>
@@ -145,8 +147,10 @@ std::vector<std::string> missingFor(const vulkan::DeviceReport& device, const st
 void requireTraversal(const vulkan::DeviceReport& device, const std::string_view traversal) {
     const std::vector<std::string> missing = missingFor(device, traversal);
     if (!missing.empty()) {
-        throw Error(ExitCode::noDevice, fmt::format("--traversal {}: {} lacks {}", traversal, device.name,
-                                                    fmt::join(missing, ", ")));
+        throw Error(
+            ErrorKind::noDevice,
+            fmt::format("traversal {}: {} lacks {}", traversal, device.name, fmt::join(missing, ", ")),
+            {"traversal"});
     }
 }
 
@@ -158,11 +162,12 @@ TriangleChunks chunkTriangles(const std::uint64_t recordCount, const std::uint64
     const std::uint64_t perChunk = std::min<std::uint64_t>(maxStorageBufferRange / kRecordBytes, 0xffffffffu);
     const std::uint64_t count = std::max<std::uint64_t>((recordCount + perChunk - 1) / perChunk, 1);
     if (count > kTriangleChunks) {
-        throw Error(ExitCode::outOfMemory,
+        throw Error(ErrorKind::outOfMemory,
                     fmt::format("{} triangle references take {}, more than {} buffers of this device's "
-                                "maxStorageBufferRange ({}); choose a smaller --tree-depth or --cells",
+                                "maxStorageBufferRange ({}); choose a smaller tree depth or fewer cells",
                                 recordCount, vulkan::byteText(recordCount * kRecordBytes), kTriangleChunks,
-                                vulkan::byteText(maxStorageBufferRange)));
+                                vulkan::byteText(maxStorageBufferRange)),
+                    {"treeDepth", "cells"});
     }
     return {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(perChunk)};
 }
@@ -191,10 +196,11 @@ SceneBuffers::SceneBuffers(const vulkan::Device& device, const AccelerationStruc
 vulkan::Buffer SceneBuffers::upload(const vulkan::Device& device, const std::span<const std::byte> data,
                                     const char* name) const {
     if (memory == Memory::storage && data.size() > maxRange) {
-        throw Error(ExitCode::outOfMemory,
+        throw Error(ErrorKind::outOfMemory,
                     fmt::format("the scene's {} takes {}, more than this device's maxStorageBufferRange "
-                                "({}); choose a smaller --tree-depth or --cells",
-                                name, vulkan::byteText(data.size()), vulkan::byteText(maxRange)));
+                                "({}); choose a smaller tree depth or fewer cells",
+                                name, vulkan::byteText(data.size()), vulkan::byteText(maxRange)),
+                    {"treeDepth", "cells"});
     }
     return vulkan::upload(device, data, name);
 }

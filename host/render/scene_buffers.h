@@ -1,11 +1,11 @@
 // A scene on the device: the buffers that every kernel reads.
 #pragma once
-#include "accel/structure_set.h"
-#include "scene/shading.h"
-#include "shader_library.h"
-#include "vulkan/box_hierarchy.h"
-#include "vulkan/buffer.h"
-#include "vulkan/compute_pipeline.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/shading.h"
+#include "metamarch/vulkan/box_hierarchy.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
 #include <cstdint>
 #include <map>

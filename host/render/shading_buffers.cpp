@@ -1,6 +1,6 @@
-#include "render/shading_buffers.h"
+#include "metamarch/render/shading_buffers.h"
 
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/transfer.h"
 
 namespace metamarch::render {
 namespace {

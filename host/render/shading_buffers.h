@@ -1,8 +1,8 @@
 // What the path tracer reads of a scene, on the device.
 #pragma once
-#include "scene/shading_scene.h"
-#include "vulkan/buffer.h"
-#include "vulkan/compute_pipeline.h"
+#include "metamarch/shared/shading_scene.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
 #include <cstdint>
 #include <map>

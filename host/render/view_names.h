@@ -1,6 +1,6 @@
 // The views of inspect_view.h as menus and command lines name them.
 #pragma once
-#include "shared/inspect_view.h"
+#include "metamarch/shared/inspect_view.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
-#include "viewer/actions.h"
+#include "metamarch/viewer/actions.h"
 
-#include "render/scene_buffers.h"
-#include "shader_library.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <fmt/format.h>
 

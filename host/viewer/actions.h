@@ -1,7 +1,7 @@
 // What keys and buttons ask for that changes nothing but the state.
 #pragma once
-#include "viewer/viewer_state.h"
-#include "vulkan/device_report.h"
+#include "metamarch/viewer/viewer_state.h"
+#include "metamarch/vulkan/device_report.h"
 
 namespace metamarch::viewer {
 

@@ -1,7 +1,7 @@
-#include "viewer/canvas.h"
+#include "metamarch/viewer/canvas.h"
 
-#include "render/kernel.h"
-#include "shared/primary.h"
+#include "metamarch/render/kernel.h"
+#include "metamarch/shared/primary.h"
 
 #include <algorithm>
 #include <array>

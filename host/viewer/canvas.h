@@ -1,7 +1,7 @@
 // What one traversal shows of the scene at the window's size: at once and coarse, then fine.
 #pragma once
-#include "viewer/plate.h"
-#include "viewer/presenter.h"
+#include "metamarch/viewer/plate.h"
+#include "metamarch/viewer/presenter.h"
 
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 #define GLFW_INCLUDE_NONE
-#include "viewer/controls.h"
+#include "metamarch/viewer/controls.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

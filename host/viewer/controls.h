@@ -1,7 +1,7 @@
 // Mouse and keyboard.
 #pragma once
-#include "viewer/viewer_state.h"
-#include "viewer/window.h"
+#include "metamarch/viewer/viewer_state.h"
+#include "metamarch/viewer/window.h"
 
 #include <optional>
 #include <span>

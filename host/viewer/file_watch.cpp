@@ -1,4 +1,4 @@
-#include "viewer/file_watch.h"
+#include "metamarch/viewer/file_watch.h"
 
 #include <system_error>
 

@@ -1,8 +1,8 @@
-#include "viewer/overlay.h"
+#include "metamarch/viewer/overlay.h"
 
-#include "render/view_names.h"
-#include "shared/false_color.h"
-#include "viewer/projection.h"
+#include "metamarch/render/view_names.h"
+#include "metamarch/shared/false_color.h"
+#include "metamarch/viewer/projection.h"
 
 #include <fmt/format.h>
 

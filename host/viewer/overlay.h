@@ -1,7 +1,7 @@
 // Lines and labels drawn over the picture: the legend of a view, the line between two sides, what is picked,
 // the march of a ray.
 #pragma once
-#include "viewer/viewer_state.h"
+#include "metamarch/viewer/viewer_state.h"
 
 namespace metamarch::viewer {
 

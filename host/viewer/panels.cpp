@@ -1,8 +1,8 @@
-#include "viewer/panels.h"
+#include "metamarch/viewer/panels.h"
 
-#include "render/view_names.h"
-#include "viewer/controls.h"
-#include "vulkan/byte_text.h"
+#include "metamarch/render/view_names.h"
+#include "metamarch/viewer/controls.h"
+#include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The panels over the picture.
 #pragma once
-#include "viewer/viewer_state.h"
+#include "metamarch/viewer/viewer_state.h"
 
 namespace metamarch::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/pick.h"
+#include "metamarch/viewer/pick.h"
 
 namespace metamarch::viewer {
 

@@ -1,8 +1,8 @@
 // What lies under a pixel of the window: found on the CPU, by the judge.
 #pragma once
-#include "reference/march_log.h"
-#include "shared/camera.h"
-#include "viewer/scene_loader.h"
+#include "metamarch/reference/march_log.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/viewer/scene_loader.h"
 
 #include <glm/glm.hpp>
 

@@ -1,9 +1,9 @@
-#include "viewer/picture_saver.h"
+#include "metamarch/viewer/picture_saver.h"
 
-#include "error.h"
-#include "image/film_image.h"
-#include "image/image_file.h"
-#include "image/picture_header.h"
+#include "metamarch/error/error.h"
+#include "metamarch/image/film_image.h"
+#include "metamarch/image/image_file.h"
+#include "metamarch/image/picture_header.h"
 
 #include <fmt/format.h>
 
@@ -47,13 +47,13 @@ PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedD
 std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::string& traversal,
                                const ViewerState& state, const std::string& ending) const {
     if (!plate.isWhole()) {
-        throw Error(ExitCode::badArguments, "parts of the picture are still empty: save it in a moment");
+        throw Error(ErrorKind::invalidArgument, "parts of the picture are still empty: save it in a moment");
     }
     const std::filesystem::path& file = state.scene->request.file;
     const std::string name = freeName(file.stem().string(), ending);
     if (shot.view) {
         if (ending != ".png") {
-            throw Error(ExitCode::badArguments,
+            throw Error(ErrorKind::invalidArgument,
                         "a view has no film to save: choose the picture, or a screenshot");
         }
         writeImage(imageOf(plate.viewPixels(), plate.size()), name);
@@ -62,10 +62,9 @@ std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::
     const std::uint32_t samples = plate.wholeSamples(); // some tiles may have more
     Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y));
     addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
-    addHeader(image,
-              {software, device.name(), device.report().driverInfo, traversal, state.settings.path.integrator,
-               file.string(), plate.seconds()},
-              shot.camera);
+    addHeader(image, {software, device.name(), device.report().driverInfo, traversal,
+                      state.settings.path.integrator, file.string(), plate.seconds(), shot.camera.name,
+                      shot.camera.eye, shot.camera.forward, shot.camera.up});
     if (ending == ".png") {
         makeOpaque(image);
     }

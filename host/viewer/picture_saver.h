@@ -1,8 +1,8 @@
 // Pictures from the window to files, by the code that writes those of `metamarch render`.
 #pragma once
-#include "viewer/plate.h"
-#include "viewer/viewer_state.h"
-#include "vulkan/device.h"
+#include "metamarch/viewer/plate.h"
+#include "metamarch/viewer/viewer_state.h"
+#include "metamarch/vulkan/device.h"
 
 #include <string>
 
@@ -14,8 +14,8 @@ class PictureSaver {
 
     // ".png": what the left side shows, at its plate's size; ".exr": the path tracer's film with all its
     // channels. Into the current folder, under the scene's name and the next free number. Returns a line for
-    // the user. Throws Error(outputNotWritable), and Error(badArguments) for an EXR of a view and a picture
-    // with empty parts.
+    // the user. Throws Error(outputNotWritable), and Error(invalidArgument) for an EXR of a view and a
+    // picture with empty parts.
     std::string save(const Plate& plate, const Shot& shot, const std::string& traversal,
                      const ViewerState& state, const std::string& ending) const;
 

@@ -1,6 +1,6 @@
-#include "viewer/plate.h"
+#include "metamarch/viewer/plate.h"
 
-#include "shared/primary.h"
+#include "metamarch/shared/primary.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // One picture of one size that grows: the path tracer's film, or a view of the algorithm.
 #pragma once
-#include "render/inspector.h"
-#include "render/path_tracer.h"
-#include "render/resolver.h"
-#include "scene/view.h"
-#include "viewer/shader_overrides.h"
-#include "viewer/stage.h"
+#include "metamarch/render/inspector.h"
+#include "metamarch/render/path_tracer.h"
+#include "metamarch/render/resolver.h"
+#include "metamarch/shading/view.h"
+#include "metamarch/viewer/shader_overrides.h"
+#include "metamarch/viewer/stage.h"
 
 #include <cstdint>
 #include <optional>

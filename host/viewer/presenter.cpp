@@ -1,6 +1,6 @@
-#include "viewer/presenter.h"
+#include "metamarch/viewer/presenter.h"
 
-#include "vulkan/refusal.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,7 @@ Presenter::Presenter(const vulkan::Context& usedContext, const vulkan::Device& u
       done(usedDevice.handle(), vk::FenceCreateInfo()), commandBuffer(makeCommandBuffer(usedDevice)) {
     makeChain();
     if (!chain) {
-        throw Error(ExitCode::noDevice, "the window has no size");
+        throw Error(ErrorKind::noDevice, "the window has no size");
     }
     startPanels();
 }
@@ -108,7 +108,7 @@ void Presenter::wait() {
     isInFlight = false;
     try {
         if (device.handle().waitForFences(*done, VK_TRUE, kForever) != vk::Result::eSuccess) {
-            throw Error(ExitCode::noDevice, device.name() + ": device lost");
+            throw Error(ErrorKind::noDevice, device.name() + ": device lost");
         }
     } catch (const vk::SystemError& error) {
         throw vulkan::refusalOf(error, fmt::format("{}: device lost", device.name()));

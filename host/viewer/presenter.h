@@ -1,9 +1,9 @@
 // Puts pictures and panels into the window.
 #pragma once
-#include "viewer/swapchain.h"
-#include "viewer/window.h"
-#include "vulkan/buffer.h"
-#include "vulkan/submission.h"
+#include "metamarch/viewer/swapchain.h"
+#include "metamarch/viewer/window.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <functional>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "viewer/projection.h"
+#include "metamarch/viewer/projection.h"
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 // World to window.
 #pragma once
-#include "shared/camera.h"
+#include "metamarch/shared/camera.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
-#include "viewer/scene_loader.h"
+#include "metamarch/viewer/scene_loader.h"
 
-#include "error.h"
-#include "stopwatch.h"
+#include "metamarch/error/error.h"
+#include "metamarch/render/stopwatch.h"
 
 #include <new>
 #include <utility>
@@ -98,14 +98,13 @@ SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
         loaded->shading = std::move(lit.shading);
         loaded->warnings.insert(loaded->warnings.end(), lit.warnings.begin(), lit.warnings.end());
         last = loaded;
-        return {loaded, "", 0};
+        return {loaded, std::nullopt};
     } catch (const Error& error) {
-        return {nullptr, error.what(), static_cast<int>(error.code)};
+        return {nullptr, error};
     } catch (const std::bad_alloc&) {
-        return {nullptr, request.file.string() + ": out of memory", static_cast<int>(ExitCode::outOfMemory)};
+        return {nullptr, Error(ErrorKind::outOfMemory, request.file.string() + ": out of memory")};
     } catch (const std::exception& error) {
-        return {nullptr, request.file.string() + ": " + error.what(),
-                static_cast<int>(ExitCode::sceneRefused)};
+        return {nullptr, Error(ErrorKind::inputRefused, request.file.string() + ": " + error.what())};
     }
 }
 

@@ -1,8 +1,9 @@
 // Scenes read and built by a thread of their own, so that the window goes on meanwhile.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "scene/import.h"
-#include "scene/lit_scene.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/error/error.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shading/lit_scene.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -54,8 +55,7 @@ class SceneLoader {
     // The answer, once: a scene, or the line that says why there is none.
     struct Answer {
         std::shared_ptr<const LoadedScene> scene;
-        std::string refusal;
-        int exitCode = 0; // of the refusal
+        std::optional<Error> refusal;
     };
     std::optional<Answer> take();
 

@@ -1,4 +1,4 @@
-#include "viewer/shader_compiler.h"
+#include "metamarch/viewer/shader_compiler.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // GLSL to SPIR-V while the program runs, as the build does it: through glslang.
 #pragma once
-#include "shader_library.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "viewer/shader_reload.h"
+#include "metamarch/viewer/shader_reload.h"
 
 #include <algorithm>
 #include <system_error>

@@ -1,8 +1,8 @@
 // Shaders compiled anew while somebody edits them.
 #pragma once
-#include "viewer/file_watch.h"
-#include "viewer/shader_compiler.h"
-#include "viewer/shader_overrides.h"
+#include "metamarch/viewer/file_watch.h"
+#include "metamarch/viewer/shader_compiler.h"
+#include "metamarch/viewer/shader_overrides.h"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "viewer/sides.h"
+#include "metamarch/viewer/sides.h"
 
 #include <algorithm>
 

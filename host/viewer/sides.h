@@ -1,8 +1,8 @@
 // The window's picture: one canvas, or two side by side.
 #pragma once
-#include "stopwatch.h"
-#include "viewer/canvas.h"
-#include "viewer/viewer_state.h"
+#include "metamarch/render/stopwatch.h"
+#include "metamarch/viewer/canvas.h"
+#include "metamarch/viewer/viewer_state.h"
 
 #include <memory>
 #include <string>

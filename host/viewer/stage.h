@@ -1,8 +1,8 @@
 // A scene as it stands on the device.
 #pragma once
-#include "render/scene_buffers.h"
-#include "render/shading_buffers.h"
-#include "viewer/scene_loader.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/render/shading_buffers.h"
+#include "metamarch/viewer/scene_loader.h"
 
 #include <memory>
 #include <utility>

@@ -1,6 +1,6 @@
-#include "viewer/swapchain.h"
+#include "metamarch/viewer/swapchain.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ vk::SurfaceFormatKHR chooseFormat(const vulkan::Device& device, const vk::raii::
             return offered;
         }
     }
-    throw Error(ExitCode::noDevice,
+    throw Error(ErrorKind::noDevice,
                 fmt::format("{}: this window takes no 8-bit sRGB pictures", device.name()));
 }
 
@@ -38,8 +38,9 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
         vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eColorAttachment;
     if (!device.physicalDevice().getSurfaceSupportKHR(family, *surface) ||
         (limits.supportedUsageFlags & usage) != usage) {
-        throw Error(ExitCode::noDevice,
-                    fmt::format("{} cannot present to this window; choose another --device", device.name()));
+        throw Error(ErrorKind::noDevice,
+                    fmt::format("{} cannot present to this window; choose another device", device.name()),
+                    {"device"});
     }
     const vk::SurfaceFormatKHR format = chooseFormat(device, surface);
     imageFormat = format.format;

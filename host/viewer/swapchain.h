@@ -1,6 +1,6 @@
 // The images that a window shows one after the other.
 #pragma once
-#include "vulkan/device.h"
+#include "metamarch/vulkan/device.h"
 
 #include <glm/glm.hpp>
 

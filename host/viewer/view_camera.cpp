@@ -1,4 +1,4 @@
-#include "viewer/view_camera.h"
+#include "metamarch/viewer/view_camera.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>

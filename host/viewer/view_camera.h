@@ -1,6 +1,6 @@
 // Where the viewer looks from, and how hands move it. No window in here.
 #pragma once
-#include "scene/view.h"
+#include "metamarch/shading/view.h"
 
 #include <glm/glm.hpp>
 

@@ -1,20 +1,20 @@
-#include "viewer/viewer.h"
+#include "metamarch/viewer/viewer.h"
 
-#include "error.h"
-#include "render/view_names.h"
-#include "scene/scene_file.h"
-#include "shader_library.h"
-#include "stopwatch.h"
-#include "viewer/actions.h"
-#include "viewer/controls.h"
-#include "viewer/overlay.h"
-#include "viewer/panels.h"
-#include "viewer/picture_saver.h"
-#include "viewer/presenter.h"
-#include "viewer/shader_reload.h"
-#include "viewer/sides.h"
-#include "viewer/stage.h"
-#include "vulkan/context.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
+#include "metamarch/render/stopwatch.h"
+#include "metamarch/render/view_names.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/viewer/actions.h"
+#include "metamarch/viewer/controls.h"
+#include "metamarch/viewer/overlay.h"
+#include "metamarch/viewer/panels.h"
+#include "metamarch/viewer/picture_saver.h"
+#include "metamarch/viewer/presenter.h"
+#include "metamarch/viewer/shader_reload.h"
+#include "metamarch/viewer/sides.h"
+#include "metamarch/viewer/stage.h"
+#include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
 
@@ -139,9 +139,9 @@ class Viewer {
         state.busy.clear();
         if (!answer->scene) {
             if (!state.scene) {
-                throw Error(static_cast<ExitCode>(answer->exitCode), answer->refusal);
+                throw *answer->refusal;
             }
-            goBack(answer->refusal);
+            goBack(answer->refusal->what());
             return;
         }
         try {

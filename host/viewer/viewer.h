@@ -1,6 +1,6 @@
 // The interactive viewer: `metamarch view`.
 #pragma once
-#include "viewer/viewer_state.h"
+#include "metamarch/viewer/viewer_state.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@ struct ViewerOptions {
     SceneRequest scene;
     Settings settings;
     // Where the first view of a scene is seen from, in a picture of that width / height. Throws
-    // Error(badArguments) for a camera that the scene does not have.
+    // Error(invalidArgument) for a camera that the scene does not have.
     std::function<ViewCamera(const Scene& scene, float aspect)> chooseCamera;
     std::string device;                 // --device
     glm::uvec2 size{1280, 720};         // of the window

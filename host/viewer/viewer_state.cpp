@@ -1,4 +1,4 @@
-#include "viewer/viewer_state.h"
+#include "metamarch/viewer/viewer_state.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // What the window's parts share: controls and panels change it, the viewer acts on what has changed.
 #pragma once
-#include "image/tone_mapping.h"
-#include "shared/inspect_view.h"
-#include "viewer/pick.h"
-#include "viewer/scene_loader.h"
-#include "viewer/view_camera.h"
+#include "metamarch/image/tone_mapping.h"
+#include "metamarch/shared/inspect_view.h"
+#include "metamarch/viewer/pick.h"
+#include "metamarch/viewer/scene_loader.h"
+#include "metamarch/viewer/view_camera.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #define GLFW_INCLUDE_NONE
-#include "viewer/window.h"
+#include "metamarch/viewer/window.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -25,13 +25,13 @@ Window& windowOf(GLFWwindow* const window) { return *static_cast<Window*>(glfwGe
 WindowSystem::WindowSystem() {
     if (glfwInit() != GLFW_TRUE) {
         throw Error(
-            ExitCode::noDevice,
+            ErrorKind::noDevice,
             fmt::format("no display to open a window on ({}); `metamarch render` needs none", lastError()));
     }
     if (glfwVulkanSupported() != GLFW_TRUE) {
         glfwTerminate();
-        throw Error(ExitCode::noDevice, "this display cannot show what Vulkan draws: no Vulkan loader or no "
-                                        "surface extension; `metamarch render` needs none");
+        throw Error(ErrorKind::noDevice, "this display cannot show what Vulkan draws: no Vulkan loader or no "
+                                         "surface extension; `metamarch render` needs none");
     }
 }
 
@@ -49,7 +49,7 @@ Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& fi
     window =
         glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y), title.c_str(), nullptr, nullptr);
     if (window == nullptr) {
-        throw Error(ExitCode::noDevice, fmt::format("no window ({})", lastError()));
+        throw Error(ErrorKind::noDevice, fmt::format("no window ({})", lastError()));
     }
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window,
@@ -79,7 +79,7 @@ Window::~Window() { glfwDestroyWindow(window); }
 vk::raii::SurfaceKHR Window::makeSurface(const vk::raii::Instance& instance) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
     if (glfwCreateWindowSurface(*instance, window, nullptr, &surface) != VK_SUCCESS) {
-        throw Error(ExitCode::noDevice, fmt::format("no surface for the window ({})", lastError()));
+        throw Error(ErrorKind::noDevice, fmt::format("no surface for the window ({})", lastError()));
     }
     return {instance, surface};
 }

@@ -1,9 +1,9 @@
-#include "vulkan/box_hierarchy.h"
+#include "metamarch/vulkan/box_hierarchy.h"
 
-#include "error.h"
-#include "vulkan/refusal.h"
-#include "vulkan/submission.h"
-#include "vulkan/transfer.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/refusal.h"
+#include "metamarch/vulkan/submission.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>
 
@@ -27,8 +27,9 @@ void requireRoom(const Device& device, const uint64_t boxes, const std::string& 
         throw std::logic_error("a BoxHierarchy on a device without ray queries");
     }
     if (boxes > report.maxHierarchyBoxes) {
-        throw Error(ExitCode::outOfMemory, fmt::format("{}: {} of {} boxes is over maxPrimitiveCount, {}",
-                                                       device.name(), name, boxes, report.maxHierarchyBoxes));
+        throw Error(ErrorKind::outOfMemory,
+                    fmt::format("{}: {} of {} boxes is over maxPrimitiveCount, {}", device.name(), name,
+                                boxes, report.maxHierarchyBoxes));
     }
 }
 

@@ -1,7 +1,7 @@
 // The driver's own bounding volume hierarchy over boxes, for ray queries: VK_KHR_acceleration_structure.
 #pragma once
-#include "vulkan/buffer.h"
-#include "vulkan/device.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/device.h"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
-#include "vulkan/buffer.h"
+#include "metamarch/vulkan/buffer.h"
 
-#include "error.h"
-#include "vulkan/byte_text.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>
 
@@ -61,12 +61,12 @@ uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse
             }
         }
     }
-    throw Error(ExitCode::noDevice, fmt::format("{}: no suitable memory for buffers", device.name()));
+    throw Error(ErrorKind::noDevice, fmt::format("{}: no suitable memory for buffers", device.name()));
 }
 
 [[noreturn]] void refuseSize(const Device& device, const std::string& buffer, uint64_t size,
                              const std::string& reason) {
-    throw Error(ExitCode::outOfMemory,
+    throw Error(ErrorKind::outOfMemory,
                 fmt::format("{}: buffer '{}' of {} {}", device.name(), buffer, byteText(size), reason));
 }
 

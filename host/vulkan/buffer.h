@@ -1,6 +1,6 @@
 // One buffer and the memory it lives in.
 #pragma once
-#include "vulkan/device.h"
+#include "metamarch/vulkan/device.h"
 
 #include <cstddef>
 #include <cstdint>

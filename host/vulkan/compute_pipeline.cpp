@@ -1,8 +1,8 @@
-#include "vulkan/compute_pipeline.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
-#include "error.h"
-#include "vulkan/byte_text.h"
-#include "vulkan/refusal.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/byte_text.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 #include <vulkan/vulkan_format_traits.hpp>
@@ -18,8 +18,8 @@ constexpr uint64_t kUniformRange = 16384;
 void requireLimits(const DeviceReport& device, const KernelInfo& info) {
     const auto require = [&](const char* limit, uint32_t has, size_t needs) {
         if (needs > has) {
-            throw Error(ExitCode::noDevice, fmt::format("{}: {} {}, kernel '{}' needs {}", device.name, limit,
-                                                        has, info.name, needs));
+            throw Error(ErrorKind::noDevice, fmt::format("{}: {} {}, kernel '{}' needs {}", device.name,
+                                                         limit, has, info.name, needs));
         }
     };
     require("maxPerStageDescriptorStorageBuffers", device.maxPerStageDescriptorStorageBuffers,
@@ -107,7 +107,7 @@ void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {
     const bool uniform = type == vk::DescriptorType::eUniformBuffer;
     const uint64_t range = uniform ? kUniformRange : device_->report().maxStorageBufferRange;
     if (buffer.size() > range) {
-        throw Error(ExitCode::outOfMemory,
+        throw Error(ErrorKind::outOfMemory,
                     fmt::format("{}: buffer '{}' of {} is over {}, {}", device_->name(), buffer.name(),
                                 byteText(buffer.size()),
                                 uniform ? "maxUniformBufferRange" : "maxStorageBufferRange",
@@ -130,7 +130,7 @@ void ComputePipeline::bindTexels(uint32_t binding, const Buffer& buffer) {
     const vk::Format format = texelFormats_.at(binding);
     const uint64_t texels = buffer.size() / vk::blockSize(format);
     if (texels > device_->report().maxTexelBufferElements) {
-        throw Error(ExitCode::outOfMemory,
+        throw Error(ErrorKind::outOfMemory,
                     fmt::format("{}: buffer '{}' of {} texels is over maxTexelBufferElements, {}",
                                 device_->name(), buffer.name(), texels,
                                 device_->report().maxTexelBufferElements));

@@ -1,8 +1,8 @@
 // One compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
 #pragma once
-#include "vulkan/box_hierarchy.h"
-#include "vulkan/buffer.h"
-#include "vulkan/device.h"
+#include "metamarch/vulkan/box_hierarchy.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/device.h"
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
-#include "vulkan/context.h"
+#include "metamarch/vulkan/context.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ bool validationWanted() {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
-    throw Error(ExitCode::noDevice,
+    throw Error(ErrorKind::noDevice,
                 what +
                     ": install a Vulkan driver (Debian: mesa-vulkan-drivers, which also runs without a GPU)");
 }
@@ -80,7 +80,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& loader,
     std::vector<const char*> extensions(wantedExtensions.begin(), wantedExtensions.end());
     for (const char* const wanted : wantedExtensions) {
         if (!extensionPresent(loader, wanted)) {
-            throw Error(ExitCode::noDevice,
+            throw Error(ErrorKind::noDevice,
                         fmt::format("no Vulkan driver has {}, which a window takes", wanted));
         }
     }
@@ -100,7 +100,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& loader,
     const void* chain = nullptr;
     if (validationWanted()) {
         if (!layerPresent(loader)) {
-            throw Error(ExitCode::noDevice,
+            throw Error(ErrorKind::noDevice,
                         fmt::format("METAMARCH_VALIDATION=1, but {} is not installed (Debian: "
                                     "vulkan-validationlayers)",
                                     kValidationLayer));

@@ -1,7 +1,7 @@
-#include "vulkan/device.h"
+#include "metamarch/vulkan/device.h"
 
-#include "vulkan/device_choice.h"
-#include "vulkan/refusal.h"
+#include "metamarch/vulkan/device_choice.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // An opened device: one compute queue, one command pool, one pipeline cache.
 #pragma once
-#include "vulkan/context.h"
-#include "vulkan/device_report.h"
-#include "vulkan/pipeline_cache.h"
+#include "metamarch/vulkan/context.h"
+#include "metamarch/vulkan/device_report.h"
+#include "metamarch/vulkan/pipeline_cache.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
-#include "vulkan/device_choice.h"
+#include "metamarch/vulkan/device_choice.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -32,17 +32,17 @@ std::string listText(std::span<const DeviceReport> reports) {
 }
 
 [[noreturn]] void refuse(const std::string& what, std::span<const DeviceReport> reports) {
-    throw Error(ExitCode::noDevice, fmt::format("{}; devices: {}", what, listText(reports)));
+    throw Error(ErrorKind::noDevice, fmt::format("{}; devices: {}", what, listText(reports)), {"device"});
 }
 
 uint32_t chooseByIndex(std::span<const DeviceReport> reports, const std::string& digits) {
     uint32_t index = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc() || index >= reports.size()) {
-        refuse(fmt::format("--device {}: there is no such device", digits), reports);
+        refuse(fmt::format("device {}: there is no such device", digits), reports);
     }
     if (!reports[index].usable()) {
-        refuse(fmt::format("--device {}: this device is not usable", digits), reports);
+        refuse(fmt::format("device {}: this device is not usable", digits), reports);
     }
     return index;
 }
@@ -54,12 +54,12 @@ uint32_t chooseByName(std::span<const DeviceReport> reports, const std::string& 
             continue;
         }
         if (found) {
-            refuse(fmt::format("--device '{}': fits more than one device, give the index", part), reports);
+            refuse(fmt::format("device '{}': fits more than one device, give the index", part), reports);
         }
         found = report.index;
     }
     if (!found) {
-        refuse(fmt::format("--device '{}': fits no usable device", part), reports);
+        refuse(fmt::format("device '{}': fits no usable device", part), reports);
     }
     return *found;
 }

@@ -1,6 +1,6 @@
 // Which device to run on.
 #pragma once
-#include "vulkan/device_report.h"
+#include "metamarch/vulkan/device_report.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "vulkan/device_report.h"
+#include "metamarch/vulkan/device_report.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // What a device is, what of its limits we depend on, and why we refuse it.
 #pragma once
-#include "vulkan/context.h"
+#include "metamarch/vulkan/context.h"
 
 #include <array>
 #include <cstdint>

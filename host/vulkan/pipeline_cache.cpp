@@ -1,4 +1,4 @@
-#include "vulkan/pipeline_cache.h"
+#include "metamarch/vulkan/pipeline_cache.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "vulkan/refusal.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,8 @@ namespace metamarch::vulkan {
 Error refusalOf(const vk::SystemError& error, const std::string& what) {
     const bool memory = error.code() == vk::Result::eErrorOutOfDeviceMemory ||
                         error.code() == vk::Result::eErrorOutOfHostMemory;
-    return {memory ? ExitCode::outOfMemory : ExitCode::noDevice, fmt::format("{} ({})", what, error.what())};
+    return {memory ? ErrorKind::outOfMemory : ErrorKind::noDevice,
+            fmt::format("{} ({})", what, error.what())};
 }
 
 } // namespace metamarch::vulkan

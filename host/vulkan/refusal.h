@@ -1,6 +1,6 @@
 // Vulkan's error codes as the project's Error.
 #pragma once
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <vulkan/vulkan.hpp>
 

@@ -1,7 +1,7 @@
-#include "vulkan/submission.h"
+#include "metamarch/vulkan/submission.h"
 
-#include "error.h"
-#include "vulkan/refusal.h"
+#include "metamarch/error/error.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ void Commands::dispatchBytes(const ComputePipeline& pipeline, GroupCount groups,
     }
     const GroupCount& most = device_->report().maxComputeWorkGroupCount;
     if (groups[0] > most[0] || groups[1] > most[1] || groups[2] > most[2]) {
-        throw Error(ExitCode::outOfMemory,
+        throw Error(ErrorKind::outOfMemory,
                     fmt::format("{}: kernel '{}': {} workgroups are over maxComputeWorkGroupCount, {}",
                                 device_->name(), pipeline.name(), fmt::join(groups, " x "),
                                 fmt::join(most, " x ")));
@@ -156,8 +156,8 @@ double Submission::wait() {
         const vk::Result result =
             device_->handle().waitForFences(*fence_, VK_TRUE, static_cast<uint64_t>(timeout));
         if (result == vk::Result::eTimeout) {
-            throw Error(ExitCode::noDevice, fmt::format("{}: device lost (no answer within {} minutes)",
-                                                        device_->name(), kTimeout.count()));
+            throw Error(ErrorKind::noDevice, fmt::format("{}: device lost (no answer within {} minutes)",
+                                                         device_->name(), kTimeout.count()));
         }
         return deviceSeconds();
     } catch (const vk::SystemError& error) {

@@ -1,8 +1,8 @@
 // One bounded piece of work for the device: recorded, submitted, waited for, timed.
 #pragma once
-#include "vulkan/buffer.h"
-#include "vulkan/compute_pipeline.h"
-#include "vulkan/device.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/compute_pipeline.h"
+#include "metamarch/vulkan/device.h"
 
 #include <array>
 #include <chrono>

@@ -1,6 +1,6 @@
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/transfer.h"
 
-#include "vulkan/submission.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Bytes from the host to a device-local buffer and back, through host-visible memory of bounded size.
 #pragma once
-#include "vulkan/buffer.h"
-#include "vulkan/device.h"
+#include "metamarch/vulkan/buffer.h"
+#include "metamarch/vulkan/device.h"
 
 #include <cstddef>
 #include <cstdint>

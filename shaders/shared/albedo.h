@@ -3,7 +3,7 @@
 // holds the BSDF made of them to its furnace. Cosines are positive.
 #ifndef METAMARCH_SHARED_ALBEDO_H
 #define METAMARCH_SHARED_ALBEDO_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

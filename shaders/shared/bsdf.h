@@ -4,7 +4,7 @@
 // Lobes whose alpha is at most kMinAlpha are deltas: evalBsdf does not see them, sampleBsdf marks them.
 #ifndef METAMARCH_SHARED_BSDF_H
 #define METAMARCH_SHARED_BSDF_H
-#include "shared/bsdf_model.h"
+#include "bsdf_model.h"
 
 SHARED_BEGIN
 

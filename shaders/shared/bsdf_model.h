@@ -14,11 +14,11 @@
 // Models", 2019), which is not. With kSurfaceSingleScatter the base is Appendix B of glTF 2.0 to the letter.
 #ifndef METAMARCH_SHARED_BSDF_MODEL_H
 #define METAMARCH_SHARED_BSDF_MODEL_H
-#include "shared/coat.h"
-#include "shared/features.h"
-#include "shared/iridescence.h"
-#include "shared/sheen.h"
-#include "shared/surface.h"
+#include "coat.h"
+#include "features.h"
+#include "iridescence.h"
+#include "sheen.h"
+#include "surface.h"
 
 SHARED_BEGIN
 

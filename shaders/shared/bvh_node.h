@@ -1,7 +1,7 @@
 // One inner node of the bounding volume hierarchy: the boxes of its two children, in lattice space.
 #ifndef METAMARCH_SHARED_BVH_NODE_H
 #define METAMARCH_SHARED_BVH_NODE_H
-#include "shared/ray.h"
+#include "ray.h"
 
 SHARED_BEGIN
 

@@ -1,8 +1,8 @@
 // Camera rays, one definition for both sides.
 #ifndef METAMARCH_SHARED_CAMERA_H
 #define METAMARCH_SHARED_CAMERA_H
-#include "shared/environment_map.h"
-#include "shared/math.h"
+#include "environment_map.h"
+#include "math.h"
 
 SHARED_BEGIN
 

@@ -1,10 +1,10 @@
 // The views of what the meta table knows of the place that a camera ray hit: from cell and leaf to a pixel.
 #ifndef METAMARCH_SHARED_CELLS_H
 #define METAMARCH_SHARED_CELLS_H
-#include "shared/false_color.h"
-#include "shared/hit_point.h"
-#include "shared/inspect_view.h"
-#include "shared/march.h"
+#include "false_color.h"
+#include "hit_point.h"
+#include "inspect_view.h"
+#include "march.h"
 
 SHARED_BEGIN
 

@@ -1,9 +1,9 @@
 // The clear coat of KHR_materials_clearcoat: isotropic facets of ior 1.5 with a normal of their own.
 #ifndef METAMARCH_SHARED_COAT_H
 #define METAMARCH_SHARED_COAT_H
-#include "shared/albedo.h"
-#include "shared/fresnel.h"
-#include "shared/microfacet.h"
+#include "albedo.h"
+#include "fresnel.h"
+#include "microfacet.h"
 
 SHARED_BEGIN
 

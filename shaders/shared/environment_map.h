@@ -3,7 +3,7 @@
 // columns for each.
 #ifndef METAMARCH_SHARED_ENVIRONMENT_MAP_H
 #define METAMARCH_SHARED_ENVIRONMENT_MAP_H
-#include "shared/light.h"
+#include "light.h"
 
 SHARED_BEGIN
 

@@ -1,8 +1,8 @@
 // Colours for numbers that are none.
 #ifndef METAMARCH_SHARED_FALSE_COLOR_H
 #define METAMARCH_SHARED_FALSE_COLOR_H
-#include "shared/packed_pixel.h"
-#include "shared/sobol.h"
+#include "packed_pixel.h"
+#include "sobol.h"
 
 SHARED_BEGIN
 

@@ -5,7 +5,7 @@
 // not change a bit of the result for a scene that does not use it.
 #ifndef METAMARCH_SHARED_FEATURES_H
 #define METAMARCH_SHARED_FEATURES_H
-#include "shared/interop.h"
+#include "interop.h"
 
 SHARED_BEGIN
 

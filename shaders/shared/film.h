@@ -1,8 +1,8 @@
 // What the path tracer collects of a pixel.
 #ifndef METAMARCH_SHARED_FILM_H
 #define METAMARCH_SHARED_FILM_H
-#include "shared/ray.h"
-#include "shared/scene_layout.h"
+#include "ray.h"
+#include "scene_layout.h"
 
 SHARED_BEGIN
 

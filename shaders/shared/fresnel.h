@@ -1,7 +1,7 @@
 // How much a smooth interface reflects. Every cosine is that of the angle to the (micro)facet's normal.
 #ifndef METAMARCH_SHARED_FRESNEL_H
 #define METAMARCH_SHARED_FRESNEL_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // The uniform grid and the steps through it; the loops are in traversal/uniform_grid.glsl and its CPU twin.
 #ifndef METAMARCH_SHARED_GRID_WALK_H
 #define METAMARCH_SHARED_GRID_WALK_H
-#include "shared/march.h"
+#include "march.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // The point that a ray hit, and rays that leave it.
 #ifndef METAMARCH_SHARED_HIT_POINT_H
 #define METAMARCH_SHARED_HIT_POINT_H
-#include "shared/triangle.h"
+#include "triangle.h"
 
 SHARED_BEGIN
 

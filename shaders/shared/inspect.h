@@ -1,10 +1,10 @@
 // The views of surfaces and of the work that a ray took: from what is known of a camera ray to a pixel.
 #ifndef METAMARCH_SHARED_INSPECT_H
 #define METAMARCH_SHARED_INSPECT_H
-#include "shared/false_color.h"
-#include "shared/hit_point.h"
-#include "shared/inspect_view.h"
-#include "shared/material.h"
+#include "false_color.h"
+#include "hit_point.h"
+#include "inspect_view.h"
+#include "material.h"
 
 SHARED_BEGIN
 

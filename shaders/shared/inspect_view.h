@@ -1,8 +1,8 @@
 // The views that make the algorithm visible, and what their kernels, `inspect` and `cells`, have in common.
 #ifndef METAMARCH_SHARED_INSPECT_VIEW_H
 #define METAMARCH_SHARED_INSPECT_VIEW_H
-#include "shared/camera.h"
-#include "shared/triangle.h"
+#include "camera.h"
+#include "triangle.h"
 
 SHARED_BEGIN
 

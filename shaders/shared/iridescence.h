@@ -2,7 +2,7 @@
 // Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence", 2017.
 #ifndef METAMARCH_SHARED_IRIDESCENCE_H
 #define METAMARCH_SHARED_IRIDESCENCE_H
-#include "shared/fresnel.h"
+#include "fresnel.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // The way back up the kd-tree: one record per node.
 #ifndef METAMARCH_SHARED_KD_PARENT_H
 #define METAMARCH_SHARED_KD_PARENT_H
-#include "shared/march.h"
+#include "march.h"
 
 SHARED_BEGIN
 

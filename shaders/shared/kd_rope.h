@@ -1,8 +1,8 @@
 // Ropes: for each face of each leaf the smallest node that holds everything behind the face.
 #ifndef METAMARCH_SHARED_KD_ROPE_H
 #define METAMARCH_SHARED_KD_ROPE_H
-#include "shared/kd_walk.h"
-#include "shared/march.h"
+#include "kd_walk.h"
+#include "march.h"
 
 SHARED_BEGIN
 

@@ -2,8 +2,8 @@
 // twins.
 #ifndef METAMARCH_SHARED_KD_WALK_H
 #define METAMARCH_SHARED_KD_WALK_H
-#include "shared/kd_node.h"
-#include "shared/ray.h"
+#include "kd_node.h"
+#include "ray.h"
 
 SHARED_BEGIN
 

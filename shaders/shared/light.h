@@ -1,7 +1,7 @@
 // Choosing among lights, and points and directions on them.
 #ifndef METAMARCH_SHARED_LIGHT_H
 #define METAMARCH_SHARED_LIGHT_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

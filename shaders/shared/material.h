@@ -1,8 +1,8 @@
 // From a hit to what the BSDF wants: vertex attributes interpolated, textures looked up.
 #ifndef METAMARCH_SHARED_MATERIAL_H
 #define METAMARCH_SHARED_MATERIAL_H
-#include "shared/surface.h"
-#include "shared/texture.h"
+#include "surface.h"
+#include "texture.h"
 
 SHARED_BEGIN
 

@@ -3,7 +3,7 @@
 // Results too small for a normal float are 0: devices flush them.
 #ifndef METAMARCH_SHARED_MATH_H
 #define METAMARCH_SHARED_MATH_H
-#include "shared/interop.h"
+#include "interop.h"
 
 SHARED_BEGIN
 

@@ -6,7 +6,7 @@
 // the id of its leaf. Bricks stick out of the lattice where its resolution is no multiple of their side.
 #ifndef METAMARCH_SHARED_META_TABLE_H
 #define METAMARCH_SHARED_META_TABLE_H
-#include "shared/scene_layout.h"
+#include "scene_layout.h"
 
 SHARED_BEGIN
 

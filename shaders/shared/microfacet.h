@@ -4,7 +4,7 @@
 // BRDFs", JCGT 3(2), 2014.
 #ifndef METAMARCH_SHARED_MICROFACET_H
 #define METAMARCH_SHARED_MICROFACET_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

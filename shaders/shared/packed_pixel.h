@@ -1,7 +1,7 @@
 // From linear light to the 8 bits a screen shows.
 #ifndef METAMARCH_SHARED_PACKED_PIXEL_H
 #define METAMARCH_SHARED_PACKED_PIXEL_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

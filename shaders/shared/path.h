@@ -5,10 +5,10 @@
 // the CPU trace the rays; everything else of the estimator is here.
 #ifndef METAMARCH_SHARED_PATH_H
 #define METAMARCH_SHARED_PATH_H
-#include "shared/bsdf.h"
-#include "shared/ray_cone.h"
-#include "shared/scene_light.h"
-#include "shared/sobol.h"
+#include "bsdf.h"
+#include "ray_cone.h"
+#include "scene_light.h"
+#include "sobol.h"
 
 SHARED_BEGIN
 

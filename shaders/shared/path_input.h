@@ -1,8 +1,8 @@
 // What the kernel `path` is told.
 #ifndef METAMARCH_SHARED_PATH_INPUT_H
 #define METAMARCH_SHARED_PATH_INPUT_H
-#include "shared/camera.h"
-#include "shared/path_settings.h"
+#include "camera.h"
+#include "path_settings.h"
 
 SHARED_BEGIN
 

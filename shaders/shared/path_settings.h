@@ -1,7 +1,7 @@
 // What a path tracer is asked for, and what it needs to know of the scene as a whole.
 #ifndef METAMARCH_SHARED_PATH_SETTINGS_H
 #define METAMARCH_SHARED_PATH_SETTINGS_H
-#include "shared/interop.h"
+#include "interop.h"
 
 SHARED_BEGIN
 

@@ -1,9 +1,9 @@
 // The `primary` integrator: what the camera sees, lit by a lamp at the eye.
 #ifndef METAMARCH_SHARED_PRIMARY_H
 #define METAMARCH_SHARED_PRIMARY_H
-#include "shared/camera.h"
-#include "shared/scene_layout.h"
-#include "shared/triangle.h"
+#include "camera.h"
+#include "scene_layout.h"
+#include "triangle.h"
 
 SHARED_BEGIN
 

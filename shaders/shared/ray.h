@@ -6,8 +6,8 @@
 // `accel/README.md` builds its proof that no hit is lost on that.
 #ifndef METAMARCH_SHARED_RAY_H
 #define METAMARCH_SHARED_RAY_H
-#include "shared/math.h"
-#include "shared/scene_layout.h"
+#include "math.h"
+#include "scene_layout.h"
 
 SHARED_BEGIN
 

@@ -4,8 +4,8 @@
 // a cone cuts out of a surface stands its area: see seenPart.
 #ifndef METAMARCH_SHARED_RAY_CONE_H
 #define METAMARCH_SHARED_RAY_CONE_H
-#include "shared/camera.h"
-#include "shared/triangle.h"
+#include "camera.h"
+#include "triangle.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // Rays and hits as the kernel `rays` and the judges exchange them.
 #ifndef METAMARCH_SHARED_RAY_QUERY_H
 #define METAMARCH_SHARED_RAY_QUERY_H
-#include "shared/triangle.h"
+#include "triangle.h"
 
 SHARED_BEGIN
 

@@ -2,7 +2,7 @@
 // its CPU twin.
 #ifndef METAMARCH_SHARED_RECTILINEAR_H
 #define METAMARCH_SHARED_RECTILINEAR_H
-#include "shared/ray.h"
+#include "ray.h"
 
 SHARED_BEGIN
 

@@ -2,7 +2,7 @@
 // A vec3 is always followed by one 4-byte scalar, so std430, scalar and C++ agree on every offset.
 #ifndef METAMARCH_SHARED_SCENE_LAYOUT_H
 #define METAMARCH_SHARED_SCENE_LAYOUT_H
-#include "shared/interop.h"
+#include "interop.h"
 
 SHARED_BEGIN
 

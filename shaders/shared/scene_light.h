@@ -1,11 +1,11 @@
 // The light of a scene: emitters, punctual lights and the environment, drawn by their power.
 #ifndef METAMARCH_SHARED_SCENE_LIGHT_H
 #define METAMARCH_SHARED_SCENE_LIGHT_H
-#include "shared/environment_map.h"
-#include "shared/hit_point.h"
-#include "shared/light.h"
-#include "shared/material.h"
-#include "shared/path_settings.h"
+#include "environment_map.h"
+#include "hit_point.h"
+#include "light.h"
+#include "material.h"
+#include "path_settings.h"
 
 SHARED_BEGIN
 

@@ -2,7 +2,7 @@
 // pictures over each other at the screen's size.
 #ifndef METAMARCH_SHARED_SCREEN_H
 #define METAMARCH_SHARED_SCREEN_H
-#include "shared/interop.h"
+#include "interop.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // What shading reads of a scene, as both sides see it: surfaces, materials, textures, lights.
 #ifndef METAMARCH_SHARED_SHADING_LAYOUT_H
 #define METAMARCH_SHARED_SHADING_LAYOUT_H
-#include "shared/interop.h"
+#include "interop.h"
 
 // The estimator is written once and reads the scene through functions named load…: in GLSL they read the
 // bound buffers (lib/shading.glsl), in C++ a ShadingScene that is handed on as the first argument.

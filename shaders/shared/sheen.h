@@ -2,7 +2,7 @@
 // 2017.
 #ifndef METAMARCH_SHARED_SHEEN_H
 #define METAMARCH_SHARED_SHEEN_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

@@ -8,7 +8,7 @@
 // Hash", 2021.
 #ifndef METAMARCH_SHARED_SOBOL_H
 #define METAMARCH_SHARED_SOBOL_H
-#include "shared/interop.h"
+#include "interop.h"
 
 #ifdef __cplusplus
 #include <glm/integer.hpp>

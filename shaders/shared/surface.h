@@ -2,7 +2,7 @@
 // directions of the surface. It is the input of bsdf.h.
 #ifndef METAMARCH_SHARED_SURFACE_H
 #define METAMARCH_SHARED_SURFACE_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

@@ -1,12 +1,12 @@
 // Looking a texture up: transform, wrap modes, levels, nearest or bilinear filter, sRGB.
 #ifndef METAMARCH_SHARED_TEXTURE_H
 #define METAMARCH_SHARED_TEXTURE_H
-#include "shared/features.h"
-#include "shared/math.h"
-#include "shared/shading_layout.h"
+#include "features.h"
+#include "math.h"
+#include "shading_layout.h"
 
 #ifdef __cplusplus
-#include "scene/shading_scene.h"
+#include "shading_scene.h"
 
 #include <glm/packing.hpp>
 namespace metamarch {

@@ -1,7 +1,7 @@
 // From the light of a scene to the light of a screen.
 #ifndef METAMARCH_SHARED_TONE_MAPPING_H
 #define METAMARCH_SHARED_TONE_MAPPING_H
-#include "shared/math.h"
+#include "math.h"
 
 SHARED_BEGIN
 

@@ -1,7 +1,7 @@
 // The triangle test of every traversal, on both sides.
 #ifndef METAMARCH_SHARED_TRIANGLE_H
 #define METAMARCH_SHARED_TRIANGLE_H
-#include "shared/ray.h"
+#include "ray.h"
 
 SHARED_BEGIN
 

@@ -1,9 +1,9 @@
-#include "accel/acceleration_structure.h"
+#include "metamarch/accel/acceleration_structure.h"
 
-#include "accel/exit_boxes.h"
-#include "accel/leaf_merging.h"
-#include "error.h"
-#include "shared/triangle.h"
+#include "metamarch/accel/exit_boxes.h"
+#include "metamarch/accel/leaf_merging.h"
+#include "metamarch/error/error.h"
+#include "metamarch/shared/triangle.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -40,31 +40,31 @@ MetaTable buildTable(const LeafList& list, const Lattice& lattice, const Acceler
     return table;
 }
 
-glm::vec3 corner(const Scene& scene, const std::uint32_t triangleId, const int i) {
-    return scene.positions[scene.triangles[triangleId][i]];
+glm::vec3 corner(const TriangleMesh& mesh, const std::uint32_t triangleId, const int i) {
+    return mesh.positions[mesh.triangles[triangleId][i]];
 }
 
-std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const Scene& scene,
+std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const TriangleMesh& mesh,
                                        const std::vector<std::uint32_t>& ids) {
     std::vector<LatticeTriangle> corners(ids.size());
     tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
         for (int k = 0; k < 3; ++k) {
-            corners[i][static_cast<std::size_t>(k)] = toLattice(lattice, corner(scene, ids[i], k));
+            corners[i][static_cast<std::size_t>(k)] = toLattice(lattice, corner(mesh, ids[i], k));
         }
     });
     return corners;
 }
 
 // The median of the triangles' longest edges.
-double typicalEdgeOf(const Scene& scene, const std::vector<std::uint32_t>& ids) {
+double typicalEdgeOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids) {
     if (ids.empty()) {
         return 0.0;
     }
     std::vector<float> edges(ids.size());
     tbb::parallel_for(std::size_t{0}, ids.size(), [&](const std::size_t i) {
-        const glm::vec3 a = corner(scene, ids[i], 0);
-        const glm::vec3 b = corner(scene, ids[i], 1);
-        const glm::vec3 c = corner(scene, ids[i], 2);
+        const glm::vec3 a = corner(mesh, ids[i], 0);
+        const glm::vec3 b = corner(mesh, ids[i], 1);
+        const glm::vec3 c = corner(mesh, ids[i], 2);
         edges[i] = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
     });
     const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
@@ -73,25 +73,25 @@ double typicalEdgeOf(const Scene& scene, const std::vector<std::uint32_t>& ids) 
 }
 
 // Chooses the lattice and builds the tree on it; returns the triangles in its space.
-std::vector<LatticeTriangle> layTree(const Scene& scene, const std::vector<std::uint32_t>& ids,
+std::vector<LatticeTriangle> layTree(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
                                      const AccelerationOptions& options, const unsigned depth,
                                      AccelerationStructure& result) {
     const auto count = static_cast<std::uint32_t>(ids.size());
     if (options.table != TableMethod::gcd) {
-        const LatticeChoice choice = makeLattice(boundsOf(scene), count, options, typicalEdgeOf(scene, ids));
+        const LatticeChoice choice = makeLattice(boundsOf(mesh), count, options, typicalEdgeOf(mesh, ids));
         result.lattice = choice.lattice;
         result.unit = choice.unit;
-        std::vector<LatticeTriangle> corners = cornersIn(result.lattice, scene, ids);
+        std::vector<LatticeTriangle> corners = cornersIn(result.lattice, mesh, ids);
         result.tree = buildKdTree(result.lattice, corners, ids, depth);
         return corners;
     }
-    const LatticeChoice quanta = makeQuantumLattice(boundsOf(scene), count, options.quantum);
+    const LatticeChoice quanta = makeQuantumLattice(boundsOf(mesh), count, options.quantum);
     const GcdLattice gcd = makeGcdLattice(
-        quanta.lattice, planSplits(quanta.lattice, cornersIn(quanta.lattice, scene, ids), depth));
+        quanta.lattice, planSplits(quanta.lattice, cornersIn(quanta.lattice, mesh, ids), depth));
     result.lattice = gcd.lattice;
     result.rounding = gcd.rounding;
     result.unit = quanta.unit * glm::dvec3(gcd.rounding.quantaPerCell);
-    std::vector<LatticeTriangle> corners = cornersIn(result.lattice, scene, ids);
+    std::vector<LatticeTriangle> corners = cornersIn(result.lattice, mesh, ids);
     const auto cellsOf = [margin = referenceMargin(result.lattice)](const LatticeTriangle& triangle,
                                                                     const CellRange& box) {
         return touchedCells(triangle, box, margin);
@@ -101,20 +101,21 @@ std::vector<LatticeTriangle> layTree(const Scene& scene, const std::vector<std::
 }
 
 // Tree and table over the triangles `ids`, with a table of at most `budget` bytes.
-void build(const Scene& scene, const std::vector<std::uint32_t>& ids, const AccelerationOptions& options,
-           const unsigned depth, const std::uint64_t budget, AccelerationStructure& result) {
+void build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
+           const AccelerationOptions& options, const unsigned depth, const std::uint64_t budget,
+           AccelerationStructure& result) {
     auto clock = std::chrono::steady_clock::now();
-    const std::vector<LatticeTriangle> corners = layTree(scene, ids, options, depth, result);
-    result.triangles = makeTriangleRecords(scene, result.tree.leafTriangles);
+    const std::vector<LatticeTriangle> corners = layTree(mesh, ids, options, depth, result);
+    result.triangles = makeTriangleRecords(mesh, result.tree.leafTriangles);
     result.treeSeconds = lap(clock);
     if (options.partition) {
         const auto list = listTriangles(result.lattice, options.partition->boxes, corners, ids);
         result.table = buildTable(list, result.lattice, options, budget);
-        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+        result.table.triangles = makeTriangleRecords(mesh, list.leafTriangles);
     } else if (options.mergeLeaves) {
         const LeafList list = mergeLeaves(result.lattice, result.tree);
         result.table = buildTable(list, result.lattice, options, budget);
-        result.table.triangles = makeTriangleRecords(scene, list.leafTriangles);
+        result.table.triangles = makeTriangleRecords(mesh, list.leafTriangles);
     } else {
         result.table = buildTable(result.tree, result.lattice, options, budget);
     }
@@ -123,11 +124,11 @@ void build(const Scene& scene, const std::vector<std::uint32_t>& ids, const Acce
 
 } // namespace
 
-std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
+std::vector<std::uint32_t> solidTriangles(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> ids;
-    ids.reserve(scene.triangles.size());
-    for (std::uint32_t id = 0; id < scene.triangles.size(); ++id) {
-        const vec3 normal = scaledNormal(corner(scene, id, 0), corner(scene, id, 1), corner(scene, id, 2));
+    ids.reserve(mesh.triangles.size());
+    for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id) {
+        const vec3 normal = scaledNormal(corner(mesh, id, 0), corner(mesh, id, 1), corner(mesh, id, 2));
         if (largest(abs(normal)) >= kSmallestNormal) {
             ids.push_back(id);
         }
@@ -135,32 +136,34 @@ std::vector<std::uint32_t> solidTriangles(const Scene& scene) {
     return ids;
 }
 
-std::vector<TriangleRecord> makeTriangleRecords(const Scene& scene,
+std::vector<TriangleRecord> makeTriangleRecords(const TriangleMesh& mesh,
                                                 const std::vector<std::uint32_t>& triangleIds) {
     std::vector<TriangleRecord> records(triangleIds.size());
     tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t slot) {
         const std::uint32_t id = triangleIds[slot];
-        records[slot] = {corner(scene, id, 0), id, corner(scene, id, 1), 0, corner(scene, id, 2), 0};
+        records[slot] = {corner(mesh, id, 0), id, corner(mesh, id, 1), 0, corner(mesh, id, 2), 0};
     });
     return records;
 }
 
-AccelerationStructure buildAccelerationStructure(const Scene& scene, const AccelerationOptions& options) {
-    const std::vector<std::uint32_t> ids = solidTriangles(scene);
+AccelerationStructure buildAccelerationStructure(const TriangleMesh& mesh,
+                                                 const AccelerationOptions& options) {
+    const std::vector<std::uint32_t> ids = solidTriangles(mesh);
     const unsigned depth =
         options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(ids.size())));
     if (depth > kMaxTreeDepth) {
-        throw Error(ExitCode::badArguments,
-                    fmt::format("--tree-depth {} is over the limit of {}", depth, kMaxTreeDepth));
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("a tree depth of {} is over the limit of {}", depth, kMaxTreeDepth),
+                    {"treeDepth"});
     }
 
     AccelerationStructure result;
-    result.degenerateTriangles = static_cast<std::uint32_t>(scene.triangles.size() - ids.size());
+    result.degenerateTriangles = static_cast<std::uint32_t>(mesh.triangles.size() - ids.size());
     AccelerationOptions tried = options;
     // Ends: a table of few cells takes few bytes.
     for (bool fits = false; !fits;) {
         try {
-            build(scene, ids, tried, depth, choosesCells(options) ? kAutomaticTableBudget : kTableBudget,
+            build(mesh, ids, tried, depth, choosesCells(options) ? kAutomaticTableBudget : kTableBudget,
                   result);
             fits = true;
         } catch (const TableOverBudget&) {

@@ -1,7 +1,7 @@
-#include "accel/bvh.h"
+#include "metamarch/accel/bvh.h"
 
-#include "accel/triangle_box.h"
-#include "error.h"
+#include "metamarch/accel/triangle_box.h"
+#include "metamarch/error/error.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
@@ -196,7 +196,7 @@ std::uint32_t flatten(const BuildNode& node, const unsigned depth, Bvh& bvh) {
 
 Bvh buildBvh(const Lattice& lattice, const std::span<const TriangleRecord> triangles) {
     if (triangles.size() > kMaxBvhTriangles) {
-        throw Error(ExitCode::outOfMemory, "the BVH holds at most 2^27 triangles");
+        throw Error(ErrorKind::outOfMemory, "the BVH holds at most 2^27 triangles");
     }
     Builder builder(lattice, triangles);
     const std::unique_ptr<BuildNode> root = builder.build();

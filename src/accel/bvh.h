@@ -1,6 +1,6 @@
 // The bounding volume hierarchy: a binary tree of boxes, each triangle in one leaf.
 #pragma once
-#include "shared/bvh_node.h"
+#include "metamarch/shared/bvh_node.h"
 
 #include <span>
 #include <vector>

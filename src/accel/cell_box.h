@@ -1,6 +1,6 @@
 // A box of whole cells.
 #pragma once
-#include "shared/scene_layout.h"
+#include "metamarch/shared/scene_layout.h"
 
 namespace metamarch {
 

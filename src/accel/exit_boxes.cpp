@@ -1,6 +1,6 @@
-#include "accel/exit_boxes.h"
+#include "metamarch/accel/exit_boxes.h"
 
-#include "accel/cell_box.h"
+#include "metamarch/accel/cell_box.h"
 
 #include <tbb/parallel_for.h>
 

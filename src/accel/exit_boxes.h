@@ -1,7 +1,7 @@
 // Exit boxes: how far a ray may go once it has tested a leaf.
 #pragma once
-#include "accel/leaf_list.h"
-#include "accel/meta_table.h"
+#include "metamarch/accel/leaf_list.h"
+#include "metamarch/accel/meta_table.h"
 
 namespace metamarch {
 

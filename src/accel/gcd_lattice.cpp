@@ -1,6 +1,6 @@
-#include "accel/gcd_lattice.h"
+#include "metamarch/accel/gcd_lattice.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace metamarch {
 namespace {
 
-constexpr const char* kHint = "choose a larger --quantum or a smaller --tree-depth";
+constexpr const char* kHint = "choose a larger quantum or a smaller tree depth";
 
 // Rounds the planes below a node with the box [lo, hi), in quanta, and appends what is left of its part of
 // the tree. Recursion goes kMaxTreeDepth deep at most.
@@ -91,12 +91,13 @@ GcdLattice makeGcdLattice(const Lattice& quanta, const SplitPlan& plan) {
     const glm::uvec3 counts = (quanta.resolution + divisors - 1u) / divisors;
     if (std::max({counts.x, counts.y, counts.z}) > kMaxLatticeResolution) {
         throw Error(
-            ExitCode::outOfMemory,
+            ErrorKind::outOfMemory,
             fmt::format("the tree's planes ask for {} x {} x {} cells ({:.0f} MiB), and a lattice has "
                         "at most {} on an axis; {}",
                         counts.x, counts.y, counts.z,
                         1.0 * counts.x * counts.y * counts.z * sizeof(std::uint32_t) / 0x1p20,
-                        kMaxLatticeResolution, kHint));
+                        kMaxLatticeResolution, kHint),
+            {"quantum", "treeDepth"});
     }
 
     result.lattice = inCells(quanta, counts, divisors);

@@ -1,8 +1,8 @@
 // Method 2 of the paper: a finished kd-tree first, then the unit lengths that all of its planes are multiples
 // of. Greatest common divisors of floats mean nothing, so planes are rounded to multiples of a quantum.
 #pragma once
-#include "accel/lattice.h"
-#include "accel/split_plan.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/accel/split_plan.h"
 
 namespace metamarch {
 

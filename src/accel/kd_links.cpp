@@ -1,6 +1,6 @@
-#include "accel/kd_links.h"
+#include "metamarch/accel/kd_links.h"
 
-#include "shared/kd_rope.h"
+#include "metamarch/shared/kd_rope.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // Links over a finished kd-tree, for traversals that climb it or follow ropes.
 #pragma once
-#include "accel/kd_tree.h"
-#include "shared/kd_parent.h"
+#include "metamarch/accel/kd_tree.h"
+#include "metamarch/shared/kd_parent.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "accel/kd_tree.h"
+#include "metamarch/accel/kd_tree.h"
 
-#include "accel/lattice.h"
-#include "accel/split.h"
-#include "error.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/accel/split.h"
+#include "metamarch/error/error.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -196,8 +196,10 @@ glm::uvec3 toCell(const CellCorner& corner) { return {corner[0], corner[1], corn
 
 void refuseOver32Bits(const std::size_t count, const char* what) {
     if (count >= (std::size_t{1} << 30u)) {
-        throw Error(ExitCode::outOfMemory, std::string("the kd-tree has more than 2^30 ") + what +
-                                               "; choose a smaller --tree-depth or --cells");
+        throw Error(ErrorKind::outOfMemory,
+                    std::string("the kd-tree has more than 2^30 ") + what +
+                        "; choose a smaller tree depth or fewer cells",
+                    {"treeDepth", "cells"});
     }
 }
 

@@ -1,9 +1,9 @@
 // The kd-tree: built on the lattice, so that every leaf is a box of whole cells.
 #pragma once
-#include "accel/leaf_list.h"
-#include "accel/split_plan.h"
-#include "accel/triangle_clip.h"
-#include "shared/kd_node.h"
+#include "metamarch/accel/leaf_list.h"
+#include "metamarch/accel/split_plan.h"
+#include "metamarch/accel/triangle_clip.h"
+#include "metamarch/shared/kd_node.h"
 
 #include <functional>
 #include <span>

@@ -1,6 +1,6 @@
-#include "accel/lattice.h"
+#include "metamarch/accel/lattice.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ constexpr double kDigitsRounding = 1.0 + 5e-6;
 void refuseOverLimit(const glm::dvec3 counts, const double longestSide) {
     if (largestOf(counts) > kMaxLatticeResolution) {
         throw Error(
-            ExitCode::outOfMemory,
+            ErrorKind::outOfMemory,
             fmt::format(
                 "the unit length asks for {:.0f} x {:.0f} x {:.0f} cells, and a lattice has at most {} "
                 "on an axis; choose a unit of at least {:.6g}",
@@ -95,10 +95,11 @@ Extents extentsOf(const Bounds& bounds, const std::uint32_t triangleCount) {
     extents.longest = largestOf(extents.size);
     if (extents.longest < kMinExtent || extents.longest > kMaxExtent) {
         throw Error(
-            ExitCode::sceneRefused,
+            ErrorKind::inputRefused,
             fmt::format(
-                "the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; use --scale",
-                extents.longest, kMinExtent, kMaxExtent));
+                "the scene's longest side is {:.3g}, and single precision needs {:g} to {:g}; scale it",
+                extents.longest, kMinExtent, kMaxExtent),
+            {"scale"});
     }
     return extents;
 }
@@ -150,10 +151,11 @@ LatticeChoice makeLattice(const Bounds& bounds, const std::uint32_t triangleCoun
     } else if (options.cells) {
         const double cells = static_cast<double>(*options.cells);
         if (cells >= kTooManyCells) {
-            throw Error(ExitCode::outOfMemory,
-                        fmt::format("a lattice of {:.0f} cells has more than {} on an axis; choose --cells "
-                                    "below {:.0f}",
-                                    cells, kMaxLatticeResolution, kTooManyCells));
+            throw Error(ErrorKind::outOfMemory,
+                        fmt::format("a lattice of {:.0f} cells has more than {} on an axis; choose fewer "
+                                    "than {:.0f}",
+                                    cells, kMaxLatticeResolution, kTooManyCells),
+                        {"cells"});
         }
         choice.unit = unitForCells(extents.size, cells);
     } else {
@@ -177,9 +179,11 @@ LatticeChoice makeQuantumLattice(const Bounds& bounds, const std::uint32_t trian
     const glm::dvec3 counts = cellCounts(extents.size, choice.unit);
     if (largestOf(counts) > kMostQuanta) {
         throw Error(
-            ExitCode::badArguments,
-            fmt::format("--quantum {:g}: finer than single precision; give at least {:.6g} for this scene",
-                        side, extents.longest / kMostQuanta * kDigitsRounding));
+            ErrorKind::invalidArgument,
+            fmt::format(
+                "a quantum of {:g} is finer than single precision; give at least {:.6g} for this scene", side,
+                extents.longest / kMostQuanta * kDigitsRounding),
+            {"quantum"});
     }
     // The last cell of several quanta may stick out by almost as much again.
     choice.lattice = place(extents, choice.unit, counts, 2.0 * extents.longest);

@@ -1,9 +1,9 @@
 // The uniform lattice that every split plane and every table cell lies on.
 #pragma once
-#include "accel/cell_box.h"
-#include "accel/options.h"
-#include "scene/scene.h"
-#include "shared/scene_layout.h"
+#include "metamarch/accel/cell_box.h"
+#include "metamarch/accel/options.h"
+#include "metamarch/geometry/triangle_mesh.h"
+#include "metamarch/shared/scene_layout.h"
 
 namespace metamarch {
 
@@ -33,14 +33,14 @@ struct LatticeChoice {
 // ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides; a partition brings
 // its own resolution. `typicalEdge`: the median of the triangles' longest edges, 0 where it does not matter;
 // small triangles in a large box get more cells for it, up to kMaxLatticeResolution on each axis. Throws
-// Error(sceneRefused) for a scene too small or too large for single precision and Error(outOfMemory) for more
+// Error(inputRefused) for a scene too small or too large for single precision and Error(outOfMemory) for more
 // than kMaxLatticeResolution cells on an axis.
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
                           const AccelerationOptions& options, double typicalEdge = 0.0);
 
 // Method 2 of the paper, first half: the lattice of quanta that planes are rounded to, which no table is made
 // of. `quantum` is in scene units; kDefaultQuantum of the longest side decides without. Throws
-// Error(sceneRefused) as makeLattice, and Error(badArguments) for a quantum below kReferenceMargin of the
+// Error(inputRefused) as makeLattice, and Error(invalidArgument) for a quantum below kReferenceMargin of the
 // longest side.
 LatticeChoice makeQuantumLattice(const Bounds& bounds, std::uint32_t triangleCount,
                                  std::optional<double> quantum);

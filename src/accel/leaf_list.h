@@ -1,6 +1,6 @@
 // Leaves and their triangles, whatever made them.
 #pragma once
-#include "shared/scene_layout.h"
+#include "metamarch/shared/scene_layout.h"
 
 #include <cstdint>
 #include <span>

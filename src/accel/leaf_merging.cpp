@@ -1,8 +1,8 @@
-#include "accel/leaf_merging.h"
+#include "metamarch/accel/leaf_merging.h"
 
-#include "accel/cell_box.h"
-#include "accel/meta_table.h"
-#include "accel/split.h"
+#include "metamarch/accel/cell_box.h"
+#include "metamarch/accel/meta_table.h"
+#include "metamarch/accel/split.h"
 
 #include <algorithm>
 #include <iterator>

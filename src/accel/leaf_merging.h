@@ -1,6 +1,6 @@
 // Merging: two leaves that lie face to face become one where that costs a ray no more.
 #pragma once
-#include "accel/leaf_list.h"
+#include "metamarch/accel/leaf_list.h"
 
 namespace metamarch {
 

@@ -1,6 +1,6 @@
-#include "accel/meta_table.h"
+#include "metamarch/accel/meta_table.h"
 
-#include "accel/cell_box.h"
+#include "metamarch/accel/cell_box.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -170,9 +170,11 @@ class TableBuilder {
 } // namespace
 
 TableOverBudget::TableOverBudget(const std::uint64_t budget)
-    : Error(ExitCode::outOfMemory, fmt::format("the meta table takes more than the {} MiB allowed; choose a "
-                                               "smaller --tree-depth or a coarser lattice",
-                                               budget >> 20u)) {}
+    : Error(ErrorKind::outOfMemory,
+            fmt::format("the meta table takes more than the {} MiB allowed; choose a "
+                        "smaller tree depth or fewer cells",
+                        budget >> 20u),
+            {"treeDepth", "cells"}) {}
 
 MetaTable buildMetaTable(const uvec3 resolution, const std::span<const Leaf> leaves,
                          const std::uint64_t budget) {

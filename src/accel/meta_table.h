@@ -1,8 +1,8 @@
 // The meta table: for every cell of the lattice the leaf it belongs to, and how far a ray may go from there.
 #pragma once
-#include "accel/lattice.h"
-#include "error.h"
-#include "shared/meta_table.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/error/error.h"
+#include "metamarch/shared/meta_table.h"
 
 #include <cstdint>
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace metamarch {
 
-// With ExitCode::outOfMemory: the table takes more bytes than it may.
+// With ErrorKind::outOfMemory: the table takes more bytes than it may.
 class TableOverBudget : public Error {
   public:
     explicit TableOverBudget(std::uint64_t budget);

@@ -1,6 +1,6 @@
 // What a user may ask of tree and table.
 #pragma once
-#include "accel/partition.h"
+#include "metamarch/accel/partition.h"
 
 #include <cstdint>
 #include <optional>

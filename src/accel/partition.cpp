@@ -1,8 +1,8 @@
-#include "accel/partition.h"
+#include "metamarch/accel/partition.h"
 
-#include "accel/lattice.h"
-#include "accel/meta_table.h"
-#include "error.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/accel/meta_table.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kNoBox = 0xffffffffu;
 
-[[noreturn]] void refuse(const std::string& line) { throw Error(ExitCode::sceneRefused, line); }
+[[noreturn]] void refuse(const std::string& line) { throw Error(ErrorKind::inputRefused, line); }
 
 std::string text(const ivec3 cell) { return fmt::format("{} {} {}", cell.x, cell.y, cell.z); }
 
@@ -100,7 +100,7 @@ LeafList listTriangles(const Lattice& lattice, const std::span<const CellBox> bo
         references += leaf.triangleCount;
         leaf.triangleCount = 0;
         if (references >= (std::size_t{1} << 30u)) {
-            throw Error(ExitCode::outOfMemory, "the partition has more than 2^30 references");
+            throw Error(ErrorKind::outOfMemory, "the partition has more than 2^30 references");
         }
     }
     list.leafTriangles.resize(references);

@@ -1,9 +1,9 @@
 // Partitions: any boxes of whole cells that tile the lattice, whether a kd-tree could make them or not.
 // Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table", section 5 and figure 11.
 #pragma once
-#include "accel/cell_box.h"
-#include "accel/leaf_list.h"
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/cell_box.h"
+#include "metamarch/accel/leaf_list.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@ struct Partition {
     std::vector<CellBox> boxes;
 };
 
-// Throws Error(sceneRefused), naming boxes and a cell, where a box holds no cell, leaves the lattice or
+// Throws Error(inputRefused), naming boxes and a cell, where a box holds no cell, leaves the lattice or
 // overlaps another, or where no box holds a cell.
 void checkTiling(const Partition& partition);
 
@@ -26,7 +26,7 @@ void checkTiling(const Partition& partition);
 LeafList listTriangles(const Lattice& lattice, std::span<const CellBox> boxes,
                        std::span<const LatticeTriangle> corners, std::span<const std::uint32_t> triangleIds);
 
-// For lists that were made otherwise: throws Error(sceneRefused), naming both, where a box does not list a
+// For lists that were made otherwise: throws Error(inputRefused), naming both, where a box does not list a
 // triangle that listTriangles would. One too many does no harm.
 void checkListing(const Lattice& lattice, const LeafList& list, std::span<const LatticeTriangle> corners,
                   std::span<const std::uint32_t> triangleIds);

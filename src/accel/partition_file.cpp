@@ -1,8 +1,8 @@
-#include "accel/partition_file.h"
+#include "metamarch/accel/partition_file.h"
 
-#include "accel/lattice.h"
-#include "error.h"
-#include "scene/scene_file.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 // The whole numbers of `values`, `count` of them and none over kMaxLatticeResolution.
-std::vector<int> readCells(const SceneFile& file, const Json& values, const std::size_t count,
+std::vector<int> readCells(const InputFile& file, const Json& values, const std::size_t count,
                            const std::string& name) {
     const auto isCell = [](const Json& value) {
         return value.is_number_unsigned() && value.get<std::uint64_t>() <= kMaxLatticeResolution;
@@ -25,7 +25,7 @@ std::vector<int> readCells(const SceneFile& file, const Json& values, const std:
     return values.get<std::vector<int>>();
 }
 
-Json parse(const SceneFile& file) {
+Json parse(const InputFile& file) {
     try {
         return Json::parse(file.read());
     } catch (const Json::parse_error& error) {
@@ -36,7 +36,7 @@ Json parse(const SceneFile& file) {
 } // namespace
 
 Partition readPartition(const std::filesystem::path& path) {
-    const SceneFile file(path);
+    const InputFile file(path);
     const Json json = parse(file);
     if (!json.is_object() || json.size() != 2 || !json.contains("resolution") || !json.contains("boxes") ||
         !json["boxes"].is_array()) {

@@ -1,4 +1,4 @@
-#include "accel/rectilinear_planes.h"
+#include "metamarch/accel/rectilinear_planes.h"
 
 #include <algorithm>
 #include <bit>

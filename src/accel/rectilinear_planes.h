@@ -1,7 +1,7 @@
 // The planes of a lattice of uneven cells, and how positions find their cells.
 #pragma once
-#include "accel/triangle_clip.h"
-#include "shared/rectilinear.h"
+#include "metamarch/accel/triangle_clip.h"
+#include "metamarch/shared/rectilinear.h"
 
 #include <array>
 #include <cstdint>

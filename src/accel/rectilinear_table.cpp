@@ -1,9 +1,9 @@
-#include "accel/rectilinear_table.h"
+#include "metamarch/accel/rectilinear_table.h"
 
-#include "accel/exit_boxes.h"
-#include "accel/kd_tree.h"
-#include "accel/lattice.h"
-#include "error.h"
+#include "metamarch/accel/exit_boxes.h"
+#include "metamarch/accel/kd_tree.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -104,12 +104,13 @@ ChosenPlan choosePlan(const Lattice& lattice, const std::span<const LatticeTrian
         const glm::dvec3 needed = counts.back();
         if (!fits(needed, kMostCells)) {
             throw Error(
-                ExitCode::outOfMemory,
-                fmt::format("a rectilinear table of --tree-depth {} has {:.0f} x {:.0f} x {:.0f} cells "
+                ErrorKind::outOfMemory,
+                fmt::format("a rectilinear table of tree depth {} has {:.0f} x {:.0f} x {:.0f} cells "
                             "({:.0f} MiB), more than {} on an axis or {} MiB; the deepest that fits is {}",
                             depth.limit, needed.x, needed.y, needed.z,
                             needed.x * needed.y * needed.z * sizeof(std::uint32_t) / 0x1p20,
-                            kMaxLatticeResolution, kTableBudget >> 20u, deepestThatFits(counts, kMostCells)));
+                            kMaxLatticeResolution, kTableBudget >> 20u, deepestThatFits(counts, kMostCells)),
+                {"treeDepth"});
         }
         const unsigned levels = plan.depth;
         return {std::move(plan), levels};

@@ -1,8 +1,8 @@
 // The rectilinear table: any kd-tree's planes as they are, and a meta table over the uneven cells between
 // them.
 #pragma once
-#include "accel/meta_table.h"
-#include "accel/rectilinear_planes.h"
+#include "metamarch/accel/meta_table.h"
+#include "metamarch/accel/rectilinear_planes.h"
 
 #include <span>
 

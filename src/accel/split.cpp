@@ -1,4 +1,4 @@
-#include "accel/split.h"
+#include "metamarch/accel/split.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,6 +1,6 @@
 // Where to split a kd-tree node: the surface area heuristic over every lattice plane inside it.
 #pragma once
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <cstdint>
 #include <optional>

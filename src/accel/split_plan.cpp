@@ -1,7 +1,7 @@
-#include "accel/split_plan.h"
+#include "metamarch/accel/split_plan.h"
 
-#include "accel/lattice.h"
-#include "accel/split.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/accel/split.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>

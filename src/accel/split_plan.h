@@ -1,8 +1,8 @@
 // The splits of a kd-tree whose planes lie where the triangles want them, on no lattice: what method 2 and
 // the rectilinear table start from.
 #pragma once
-#include "accel/triangle_clip.h"
-#include "shared/scene_layout.h"
+#include "metamarch/accel/triangle_clip.h"
+#include "metamarch/shared/scene_layout.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
-#include "accel/structure_set.h"
+#include "metamarch/accel/structure_set.h"
 
-#include "accel/kd_links.h"
+#include "metamarch/accel/kd_links.h"
 
 #include <algorithm>
 

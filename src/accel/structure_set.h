@@ -1,10 +1,10 @@
 // Every structure that some traversal walks, over one scene; each is built when first asked for.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "accel/bvh.h"
-#include "accel/rectilinear_table.h"
-#include "accel/uniform_grid.h"
-#include "shared/kd_parent.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/bvh.h"
+#include "metamarch/accel/rectilinear_table.h"
+#include "metamarch/accel/uniform_grid.h"
+#include "metamarch/shared/kd_parent.h"
 
 #include <tbb/collaborative_call_once.h>
 

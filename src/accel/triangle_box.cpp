@@ -1,6 +1,6 @@
-#include "accel/triangle_box.h"
+#include "metamarch/accel/triangle_box.h"
 
-#include "accel/lattice.h"
+#include "metamarch/accel/lattice.h"
 
 #include <cmath>
 

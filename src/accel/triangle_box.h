@@ -1,7 +1,7 @@
 // Boxes around triangles, for hierarchies of boxes: in lattice space, so much larger that no rounding on the
 // way from a ray to a box can lose a hit.
 #pragma once
-#include "shared/scene_layout.h"
+#include "metamarch/shared/scene_layout.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Which cells a triangle touches inside a box of cells, never one too few.
 #pragma once
-#include "accel/triangle_box.h"
+#include "metamarch/accel/triangle_box.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
-#include "accel/uniform_grid.h"
+#include "metamarch/accel/uniform_grid.h"
 
-#include "accel/triangle_clip.h"
-#include "error.h"
+#include "metamarch/accel/triangle_clip.h"
+#include "metamarch/error/error.h"
 
 #include <tbb/parallel_for.h>
 
@@ -64,7 +64,7 @@ UniformGrid buildUniformGrid(const Lattice& lattice, const std::span<const Trian
         references += cell.triangleCount;
         cell.triangleCount = 0;
         if (references >= (std::uint64_t{1} << 30u)) {
-            throw Error(ExitCode::outOfMemory, "the uniform grid has more than 2^30 references");
+            throw Error(ErrorKind::outOfMemory, "the uniform grid has more than 2^30 references");
         }
     }
     result.triangles.resize(references);

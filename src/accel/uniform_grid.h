@@ -1,7 +1,7 @@
 // The uniform grid: every cell lists the triangles near it.
 #pragma once
-#include "accel/lattice.h"
-#include "shared/grid_walk.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/shared/grid_walk.h"
 
 #include <span>
 #include <vector>

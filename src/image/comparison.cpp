@@ -1,4 +1,4 @@
-#include "image/comparison.h"
+#include "metamarch/image/comparison.h"
 
 #include <cmath>
 #include <limits>

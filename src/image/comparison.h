@@ -1,6 +1,6 @@
 // How far apart two pictures are, in numbers.
 #pragma once
-#include "image/image.h"
+#include "metamarch/image/image.h"
 
 #include <cstdint>
 #include <string>

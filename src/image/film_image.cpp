@@ -1,4 +1,4 @@
-#include "image/film_image.h"
+#include "metamarch/image/film_image.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // The path tracer's film as a picture.
 #pragma once
-#include "image/image.h"
-#include "shared/film.h"
+#include "metamarch/image/image.h"
+#include "metamarch/shared/film.h"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "image/image.h"
+#include "metamarch/image/image.h"
 
 #include <algorithm>
 

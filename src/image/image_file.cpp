@@ -1,8 +1,8 @@
-#include "image/image_file.h"
+#include "metamarch/image/image_file.h"
 
-#include "error.h"
-#include "image/output_file.h"
-#include "shared/packed_pixel.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/output_file.h"
+#include "metamarch/shared/packed_pixel.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -47,7 +47,7 @@ Format formatOf(const std::filesystem::path& path) {
         return Format::exr;
     if (ending == ".png")
         return Format::png;
-    throw Error(ExitCode::badArguments, path.string() + ": a picture is written as .exr or .png");
+    throw Error(ErrorKind::invalidArgument, path.string() + ": a picture is written as .exr or .png");
 }
 
 std::string oneLine(std::string text) {
@@ -67,7 +67,7 @@ void writePixels(const OIIO::ImageSpec& spec, const char* format, const OIIO::Ty
     done = output && output->close() && done;
     if (!done && !file.failed()) {
         const std::string reason = output ? output->geterror() : OIIO::geterror();
-        throw Error(ExitCode::outputNotWritable, "cannot write " + path.string() + ": " + oneLine(reason));
+        throw Error(ErrorKind::outputNotWritable, "cannot write " + path.string() + ": " + oneLine(reason));
     }
     file.commit();
 }
@@ -91,7 +91,7 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
     const auto blue = image.findChannel("B");
     const auto alpha = image.findChannel("A");
     if (!red || !green || !blue)
-        throw Error(ExitCode::badArguments,
+        throw Error(ErrorKind::invalidArgument,
                     path.string() + ": a PNG needs the channels R, G and B; write an .exr");
 
     std::vector<std::uint8_t> bytes;

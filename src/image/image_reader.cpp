@@ -1,7 +1,7 @@
 // readImage of image_file.h. Files are untrusted: memory grows with what was really read, not with what a
 // header says.
-#include "error.h"
-#include "image/image_file.h"
+#include "metamarch/error/error.h"
+#include "metamarch/image/image_file.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string reason) {
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(ExitCode::sceneRefused, "cannot read " + path.string() + ": " + reason);
+    throw Error(ErrorKind::inputRefused, "cannot read " + path.string() + ": " + reason);
 }
 
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& path) {

@@ -1,10 +1,10 @@
-#include "image/picture_header.h"
+#include "metamarch/image/picture_header.h"
 
 #include <fmt/format.h>
 
 namespace metamarch {
 
-void addHeader(Image& image, const PictureOrigin& origin, const SceneCamera& camera) {
+void addHeader(Image& image, const PictureOrigin& origin) {
     const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     const std::pair<std::string, std::string> attributes[] = {
         {"Software", origin.software},
@@ -13,10 +13,10 @@ void addHeader(Image& image, const PictureOrigin& origin, const SceneCamera& cam
         {"metamarch/traversal", origin.traversal},
         {"metamarch/integrator", origin.integrator},
         {"metamarch/scene", origin.scene},
-        {"metamarch/camera", camera.name},
-        {"metamarch/eye", point(camera.eye)},
-        {"metamarch/forward", point(camera.forward)},
-        {"metamarch/up", point(camera.up)},
+        {"metamarch/camera", origin.camera},
+        {"metamarch/eye", point(origin.eye)},
+        {"metamarch/forward", point(origin.forward)},
+        {"metamarch/up", point(origin.up)},
         {"metamarch/seconds", fmt::format("{:.3f}", origin.seconds)}};
     image.attributes.insert(image.attributes.end(), std::begin(attributes), std::end(attributes));
 }

@@ -1,7 +1,8 @@
 // What the header of a picture says of how it was made.
 #pragma once
-#include "image/image.h"
-#include "scene/scene.h"
+#include "metamarch/image/image.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <string>
@@ -14,11 +15,15 @@ struct PictureOrigin {
     std::string driver;
     std::string traversal;
     std::string integrator;
-    std::string scene; // file
-    double seconds;    // that rendering took
+    std::string scene;  // file
+    double seconds;     // that rendering took
+    std::string camera; // its name
+    glm::vec3 eye;
+    glm::vec3 forward;
+    glm::vec3 up;
 };
 
-void addHeader(Image& image, const PictureOrigin& origin, const SceneCamera& camera);
+void addHeader(Image& image, const PictureOrigin& origin);
 
 // What a path tracer was asked for besides.
 void addSampling(Image& image, std::uint32_t samples, std::uint32_t seed, std::uint32_t maxBounces);

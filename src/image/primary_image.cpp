@@ -1,4 +1,4 @@
-#include "image/primary_image.h"
+#include "metamarch/image/primary_image.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // The `primary` integrator's pixels as a picture.
 #pragma once
-#include "image/image.h"
-#include "shared/primary.h"
+#include "metamarch/image/image.h"
+#include "metamarch/shared/primary.h"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "image/tone_mapping.h"
+#include "metamarch/image/tone_mapping.h"
 
 #include <cmath>
 

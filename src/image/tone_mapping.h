@@ -1,6 +1,6 @@
 // From linear light to the 8 bits a screen shows, as a user asks for it.
 #pragma once
-#include "shared/tone_mapping.h"
+#include "metamarch/shared/tone_mapping.h"
 
 #include <glm/glm.hpp>
 

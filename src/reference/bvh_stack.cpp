@@ -1,6 +1,6 @@
-#include "reference/require.h"
-#include "reference/triangle_records.h"
-#include "reference/twins.h"
+#include "metamarch/reference/require.h"
+#include "metamarch/reference/triangle_records.h"
+#include "metamarch/reference/twins.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
-#include "reference/require.h"
-#include "reference/triangle_records.h"
-#include "reference/twins.h"
-#include "shared/kd_walk.h"
+#include "metamarch/reference/require.h"
+#include "metamarch/reference/triangle_records.h"
+#include "metamarch/reference/twins.h"
+#include "metamarch/shared/kd_walk.h"
 
 namespace metamarch {
 

@@ -1,4 +1,4 @@
-#include "reference/triangle_records.h"
+#include "metamarch/reference/triangle_records.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
-#include "reference/march_log.h"
+#include "metamarch/reference/march_log.h"
 
-#include "reference/meta_table_march.h"
+#include "metamarch/reference/meta_table_march.h"
 
 namespace metamarch {
 

@@ -1,7 +1,7 @@
 // The march of one ray through the meta table, step by step.
 #pragma once
-#include "accel/cell_box.h"
-#include "reference/trace.h"
+#include "metamarch/accel/cell_box.h"
+#include "metamarch/reference/trace.h"
 
 #include <cstdint>
 #include <vector>

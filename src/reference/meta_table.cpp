@@ -1,4 +1,4 @@
-#include "reference/meta_table_march.h"
+#include "metamarch/reference/meta_table_march.h"
 
 namespace metamarch {
 

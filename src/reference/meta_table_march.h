@@ -1,8 +1,8 @@
 // The loop of the march through the meta table, and whoever wants to watch it.
 #pragma once
-#include "reference/require.h"
-#include "reference/triangle_records.h"
-#include "shared/march.h"
+#include "metamarch/reference/require.h"
+#include "metamarch/reference/triangle_records.h"
+#include "metamarch/shared/march.h"
 
 namespace metamarch {
 

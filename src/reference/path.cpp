@@ -1,7 +1,7 @@
-#include "reference/path.h"
+#include "metamarch/reference/path.h"
 
-#include "reference/trace.h"
-#include "shared/path.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/shared/path.h"
 
 #include <tbb/parallel_for.h>
 

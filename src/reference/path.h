@@ -1,10 +1,10 @@
 // The path tracer on the CPU, over the stack traversal: the judge of shaders/kernels/path.glsl.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "scene/shading_scene.h"
-#include "shared/camera.h"
-#include "shared/film.h"
-#include "shared/path_settings.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/shared/film.h"
+#include "metamarch/shared/path_settings.h"
+#include "metamarch/shared/shading_scene.h"
 
 #include <functional>
 #include <vector>

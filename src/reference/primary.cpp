@@ -1,6 +1,6 @@
-#include "reference/primary.h"
+#include "metamarch/reference/primary.h"
 
-#include "reference/triangle_records.h"
+#include "metamarch/reference/triangle_records.h"
 
 #include <tbb/parallel_for.h>
 

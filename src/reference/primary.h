@@ -1,7 +1,7 @@
 // The `primary` integrator on the CPU, over the stack traversal.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "shared/primary.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/shared/primary.h"
 
 #include <atomic>
 #include <functional>

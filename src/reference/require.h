@@ -1,6 +1,6 @@
 // The invariants that the twins assert.
 #pragma once
-#include "shared/interop.h"
+#include "metamarch/shared/interop.h"
 
 #include <stdexcept>
 

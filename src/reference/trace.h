@@ -4,10 +4,10 @@
 // All are [[gnu::flatten]]: the shared functions take a ray by value, and a call would copy it at each step,
 // which no compiler of shaders does.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "reference/require.h"
-#include "shared/ray.h"
-#include "shared/triangle.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/require.h"
+#include "metamarch/shared/ray.h"
+#include "metamarch/shared/triangle.h"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 // Testing triangle records on the CPU: the judges' counterpart of shaders/lib/scene.glsl.
 #pragma once
-#include "reference/trace.h"
+#include "metamarch/reference/trace.h"
 
 namespace metamarch {
 

@@ -1,4 +1,4 @@
-#include "reference/twins.h"
+#include "metamarch/reference/twins.h"
 
 #include <algorithm>
 #include <stdexcept>

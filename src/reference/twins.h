@@ -1,8 +1,8 @@
 // The CPU twins of the traversals of shaders/traversal: the same algorithm, step for step, with the same
 // counters. Twins throw std::logic_error where an invariant of their loop is checked and broken.
 #pragma once
-#include "accel/structure_set.h"
-#include "reference/trace.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/reference/trace.h"
 
 #include <span>
 #include <string_view>

@@ -1,6 +1,6 @@
-#include "scene/choice.h"
+#include "metamarch/scene/choice.h"
 
-#include "error.h"
+#include "metamarch/error/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,9 +23,10 @@ std::size_t chooseIndex(const std::string& kind, const std::vector<std::string>&
     std::vector<std::string> list;
     for (std::size_t i = 0; i < names.size(); ++i)
         list.push_back(fmt::format("{} '{}'", i, names[i]));
-    throw Error(ExitCode::badArguments,
-                fmt::format("--{} {}: no such {}; the scene has {}", kind, selection, kind,
-                            list.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "))));
+    throw Error(ErrorKind::invalidArgument,
+                fmt::format("there is no {} {}; the scene has {}", kind, selection,
+                            list.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "))),
+                {kind});
 }
 
 } // namespace metamarch

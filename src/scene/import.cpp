@@ -1,9 +1,9 @@
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
-#include "error.h"
-#include "scene/gltf_import.h"
-#include "scene/mesh_import.h"
-#include "scene/scene_file.h"
+#include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
+#include "metamarch/scene/gltf/import.h"
+#include "metamarch/scene/mesh/mesh_import.h"
 
 #include <cmath>
 #include <new>
@@ -11,7 +11,7 @@
 namespace metamarch {
 namespace {
 
-Scene import(SceneFile& file, const ImportOptions& options) {
+Scene import(InputFile& file, const ImportOptions& options) {
     const std::string ending = lowerCaseEnding(file.path());
     if (ending == ".gltf" || ending == ".glb")
         return importGltf(file, options);
@@ -23,7 +23,7 @@ Scene import(SceneFile& file, const ImportOptions& options) {
 } // namespace
 
 Scene loadScene(const std::filesystem::path& path, const ImportOptions& options) {
-    SceneFile file(path);
+    InputFile file(path);
     if (!std::isfinite(options.scale) || options.scale == 0.0f)
         file.refuse("scale " + std::to_string(options.scale) + " is zero or not finite");
     try {

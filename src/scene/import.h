@@ -1,6 +1,6 @@
 // Scene files to Scene.
 #pragma once
-#include "scene/scene.h"
+#include "metamarch/scene/scene.h"
 
 #include <filesystem>
 #include <optional>
@@ -24,8 +24,8 @@ struct ImportOptions {
 };
 
 // Reads glTF 2.0 (.gltf, .glb) through tinygltf and OBJ, PLY, OFF, STL through Assimp; the ending decides.
-// Throws Error(sceneRefused), naming file and element, for anything unreadable, out of range or not finite,
-// and Error(badArguments), listing those that exist, for a variant or an animation that does not.
+// Throws Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite,
+// and Error(invalidArgument), listing those that exist, for a variant or an animation that does not.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 } // namespace metamarch

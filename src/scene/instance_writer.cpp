@@ -1,6 +1,6 @@
-#include "scene/instance_writer.h"
+#include "metamarch/scene/instance_writer.h"
 
-#include "scene/normal_matrix.h"
+#include "metamarch/scene/normal_matrix.h"
 
 #include <cmath>
 
@@ -31,7 +31,7 @@ void appendOptional(std::vector<T>& to, const std::vector<T>& values, std::size_
 
 } // namespace
 
-InstanceWriter::InstanceWriter(Scene& scene, SceneFile& file, const std::string& name, std::string label,
+InstanceWriter::InstanceWriter(Scene& scene, InputFile& file, const std::string& name, std::string label,
                                const glm::dmat4& toWorld)
     : scene_(scene), file_(file), label_(std::move(label)), toWorld_(toWorld),
       normalToWorld_(normalMatrix(toWorld)), mirrored_(isMirroring(toWorld)),

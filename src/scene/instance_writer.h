@@ -1,9 +1,9 @@
 // Writes one mesh instance into a scene, in world space: the one place where importers' geometry becomes a
 // Scene.
 #pragma once
-#include "scene/mesh_geometry.h"
-#include "scene/scene.h"
-#include "scene/scene_file.h"
+#include "metamarch/file/input_file.h"
+#include "metamarch/scene/mesh_geometry.h"
+#include "metamarch/scene/scene.h"
 
 #include <glm/glm.hpp>
 
@@ -20,12 +20,12 @@ class InstanceWriter {
   public:
     // `label` starts the lines about this mesh. A mirroring `toWorld` turns the triangles round, so that the
     // front stays the front; a singular one is allowed.
-    InstanceWriter(Scene& scene, SceneFile& file, const std::string& name, std::string label,
+    InstanceWriter(Scene& scene, InputFile& file, const std::string& name, std::string label,
                    const glm::dmat4& toWorld);
 
     // Appends a part (glTF: a primitive), whose indices must have been checked; `label` starts its error
     // lines. Throws Error(outOfMemory) when the scene would grow past kMaxVertices or kMaxTriangles, and
-    // Error(sceneRefused) when a position in the world is not finite. Normals, texture coordinates, colours
+    // Error(inputRefused) when a position in the world is not finite. Normals, texture coordinates, colours
     // and tangents that are broken are replaced, which finish() says once for the mesh.
     void write(const std::string& label, const MeshGeometry& part, std::uint32_t material);
 
@@ -40,7 +40,7 @@ class InstanceWriter {
     glm::vec4 checkedColor(const glm::vec4& color);
 
     Scene& scene_;
-    SceneFile& file_;
+    InputFile& file_;
     std::string label_;
     glm::dmat4 toWorld_;
     glm::dmat3 normalToWorld_;

@@ -1,4 +1,4 @@
-#include "scene/material.h"
+#include "metamarch/scene/material.h"
 
 namespace metamarch {
 

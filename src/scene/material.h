@@ -1,6 +1,6 @@
 // Materials, by glTF's names, units and defaults.
 #pragma once
-#include "scene/texture.h"
+#include "metamarch/scene/texture.h"
 
 #include <glm/glm.hpp>
 

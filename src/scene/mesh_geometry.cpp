@@ -1,6 +1,6 @@
-#include "scene/mesh_geometry.h"
+#include "metamarch/scene/mesh_geometry.h"
 
-#include "scene/tangent_space.h"
+#include "metamarch/scene/tangent_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ void copyVertex(MeshGeometry& geometry, std::uint32_t vertex) {
 
 } // namespace
 
-void checkIndices(const SceneFile& file, const std::string& label, const MeshGeometry& geometry) {
+void checkIndices(const InputFile& file, const std::string& label, const MeshGeometry& geometry) {
     const std::size_t count = geometry.positions.size();
     for (const glm::uvec3& triangle : geometry.triangles) {
         for (int corner = 0; corner < 3; ++corner) {

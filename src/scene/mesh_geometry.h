@@ -1,6 +1,6 @@
 // A part of a mesh in its own space, before it is placed in a scene.
 #pragma once
-#include "scene/scene_file.h"
+#include "metamarch/file/input_file.h"
 
 #include <glm/glm.hpp>
 
@@ -21,8 +21,8 @@ struct MeshGeometry {
     std::vector<glm::uvec3> triangles;
 };
 
-// Throws Error(sceneRefused), starting with `label`, unless every index of a triangle names a vertex.
-void checkIndices(const SceneFile& file, const std::string& label, const MeshGeometry& geometry);
+// Throws Error(inputRefused), starting with `label`, unless every index of a triangle names a vertex.
+void checkIndices(const InputFile& file, const std::string& label, const MeshGeometry& geometry);
 
 // Gives the vertices the tangents of MikkTSpace from a set of texture coordinates that is there. A vertex
 // whose triangles have different tangents there becomes several, the new ones behind the others. Indices must

@@ -1,4 +1,4 @@
-#include "scene/normal_matrix.h"
+#include "metamarch/scene/normal_matrix.h"
 
 #include <algorithm>
 #include <cmath>

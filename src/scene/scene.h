@@ -1,8 +1,9 @@
 // A scene as every later part sees it: world-space triangles, materials, textures, lights, cameras. No file
 // format is left in it.
 #pragma once
-#include "scene/material.h"
-#include "scene/texture.h"
+#include "metamarch/geometry/triangle_mesh.h"
+#include "metamarch/scene/material.h"
+#include "metamarch/scene/texture.h"
 
 #include <glm/glm.hpp>
 
@@ -75,14 +76,9 @@ struct Scene {
     double animationSeconds = 0.0;     // when the last animation ends; 0: nothing moves
 
     std::vector<std::string> warnings; // one line each, for the user
-};
 
-// Box around every position that a triangle uses; `lo > hi` in every axis when there is no triangle.
-struct Bounds {
-    glm::vec3 lo;
-    glm::vec3 hi;
+    // What acceleration structures are built over.
+    operator TriangleMesh() const { return {positions, triangles}; }
 };
-
-Bounds boundsOf(const Scene& scene);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-#include "scene/tangent_space.h"
+#include "metamarch/scene/tangent_space.h"
 
 #include <algorithm>
 #include <array>

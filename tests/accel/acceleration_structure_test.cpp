@@ -1,7 +1,7 @@
 // Scenes with nothing, or little, to hit.
-#include "accel/acceleration_structure.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(AccelerationStructure, leavesDegenerateTrianglesOut) {
 }
 
 TEST(AccelerationStructure, refusesADepthOverTheLimit) {
-    expectError(ExitCode::badArguments, "--tree-depth 49 is over the limit of 48", [] {
+    expectError(ErrorKind::invalidArgument, "--tree-depth 49 is over the limit of 48", [] {
         buildAccelerationStructure(unitCube(), {{}, {}, kMaxTreeDepth + 1});
     });
 }

@@ -1,9 +1,9 @@
 // A ray leaves a tested leaf by its exit box: whatever it could have met in there must have been tested.
-#include "accel/acceleration_structure.h"
-#include "accel/cell_box.h"
-#include "accel/exit_boxes.h"
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/cell_box.h"
+#include "metamarch/accel/exit_boxes.h"
 
 #include <gtest/gtest.h>
 

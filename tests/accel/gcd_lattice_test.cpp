@@ -1,8 +1,8 @@
 // Method 2: the tree's own planes, rounded to quanta, and the lattice that they all lie on.
-#include "accel/acceleration_structure.h"
-#include "accel/gcd_lattice.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/gcd_lattice.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -140,13 +140,13 @@ TEST(GcdLattice, movesNoPlaneFartherThanItSays) {
 }
 
 TEST(GcdLattice, refusesAQuantumFinerThanTheMargin) {
-    expectError(ExitCode::badArguments, "--quantum 1e-09: finer than single precision; give at least",
+    expectError(ErrorKind::invalidArgument, "--quantum 1e-09: finer than single precision; give at least",
                 [] { buildAccelerationStructure(unitCube(), withQuantum(1e-9)); });
 }
 
 TEST(GcdLattice, refusesTooManyCellsOnAnAxisWithTheirSize) {
     const Scene scene = triangleSoup(6000, 3);
-    expectError(ExitCode::outOfMemory, "a lattice has at most 1023 on an axis; choose a larger --quantum",
+    expectError(ErrorKind::outOfMemory, "a lattice has at most 1023 on an axis; choose a larger --quantum",
                 [&] { buildAccelerationStructure(scene, withQuantum(1.0 / 4000.0)); });
 }
 

@@ -1,8 +1,8 @@
 // What everything behind the tree relies on: its leaves tile the lattice, and no triangle is missing from
 // one.
-#include "accel/acceleration_structure.h"
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,6 +1,6 @@
 // How many cells the lattice has, where it lies, and which scenes and options it refuses.
-#include "accel/lattice.h"
 #include "fixtures/expect_error.h"
+#include "metamarch/accel/lattice.h"
 
 #include <gtest/gtest.h>
 
@@ -148,16 +148,16 @@ TEST(LatticePadding, keepsGeometryInside) {
 TEST(LatticeRefusal, tooManyCellsOnAnAxis) {
     const Bounds bounds = boxFromOrigin({1.0f, 0.5f, 0.25f});
     const AccelerationOptions options = withUnit(glm::dvec3(0.0005));
-    expectError(ExitCode::outOfMemory, "2000 x 1000 x 500",
+    expectError(ErrorKind::outOfMemory, "2000 x 1000 x 500",
                 [&] { makeLattice(bounds, kTriangles, options); });
-    expectError(ExitCode::outOfMemory, "choose a unit of at least",
+    expectError(ErrorKind::outOfMemory, "choose a unit of at least",
                 [&] { makeLattice(bounds, kTriangles, options); });
 }
 
 TEST(LatticeRefusal, namesAUnitThatIsTaken) {
     for (float size = 1.0f; size < 1000.0f; size *= 1.37f) {
         const Bounds bounds = boxFromOrigin({size, 0.0f, 0.0f});
-        const std::string line = lineOfError(ExitCode::outOfMemory, [&] {
+        const std::string line = lineOfError(ErrorKind::outOfMemory, [&] {
             makeLattice(bounds, kTriangles, withUnit(glm::dvec3(size / 5000.0)));
         });
         const double unit = std::stod(line.substr(line.find_last_of(' ')));
@@ -168,14 +168,14 @@ TEST(LatticeRefusal, namesAUnitThatIsTaken) {
 TEST(LatticeRefusal, moreCellsThanThereMayBe) {
     const Bounds cube = boxFromOrigin(glm::vec3(1.0f));
     for (const std::uint64_t cells : {std::uint64_t{1070599168}, ~std::uint64_t{0}}) {
-        expectError(ExitCode::outOfMemory, "choose --cells below 1070599168",
+        expectError(ErrorKind::outOfMemory, "choose --cells below 1070599168",
                     [&] { makeLattice(cube, kTriangles, withCells(cells)); });
     }
 }
 
 TEST(LatticeRefusal, sceneOutsideSinglePrecision) {
     for (const float size : {0.0f, 1e-11f, 1e11f, 3e38f}) {
-        expectError(ExitCode::sceneRefused, "--scale",
+        expectError(ErrorKind::inputRefused, "--scale",
                     [&] { makeLattice(boxFromOrigin(glm::vec3(size)), kTriangles, {}); });
     }
     EXPECT_NO_THROW(makeLattice(boxFromOrigin(glm::vec3(1.1e-10f)), kTriangles, {}));

@@ -1,8 +1,8 @@
 // Every cell names the leaf that holds it, whatever memory the table saves.
-#include "accel/acceleration_structure.h"
-#include "accel/meta_table.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/meta_table.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -196,7 +196,7 @@ TEST(MetaTableBudget, isKept) {
     const std::uint64_t bytes = (1u + kBrickCells) * sizeof(std::uint32_t);
     EXPECT_NO_THROW(buildMetaTable(glm::uvec3(8), leaves, bytes));
     EXPECT_THROW(buildMetaTable(glm::uvec3(8), leaves, bytes - 1), TableOverBudget);
-    expectError(ExitCode::outOfMemory, "choose a smaller --tree-depth or a coarser lattice",
+    expectError(ErrorKind::outOfMemory, "choose a smaller --tree-depth or a coarser lattice",
                 [&] { buildMetaTable(glm::uvec3(8), leaves, bytes - 1); });
 }
 

@@ -1,6 +1,6 @@
 // Whether a triangle meets a box, by another method than the builder's: the judge of clipping and of leaves.
 #pragma once
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <glm/glm.hpp>
 

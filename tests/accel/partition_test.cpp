@@ -1,14 +1,14 @@
 // Boxes that no kd-tree made: they must tile the lattice and list their triangles, and are then marched.
-#include "accel/acceleration_structure.h"
-#include "accel/leaf_merging.h"
 #include "accel/overlap.h"
-#include "accel/partition_file.h"
 #include "accel/pinwheel.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "fixtures/temporary_folder.h"
-#include "reference/trace.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/leaf_merging.h"
+#include "metamarch/accel/partition_file.h"
+#include "metamarch/reference/trace.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(Tiling, isAccepted) {
 }
 
 void expectRefused(const Partition& partition, const std::string& line) {
-    EXPECT_EQ(lineOfError(ExitCode::sceneRefused, [&] { checkTiling(partition); }), line);
+    EXPECT_EQ(lineOfError(ErrorKind::inputRefused, [&] { checkTiling(partition); }), line);
 }
 
 TEST(Tiling, namesAGap) {
@@ -139,7 +139,7 @@ TEST(Listing, namesTheTriangleThatABoxLacks) {
     ASSERT_NE(full, list.leaves.end());
     const std::uint32_t lost = list.trianglesOf(*full).back();
     --full->triangleCount;
-    EXPECT_EQ(lineOfError(ExitCode::sceneRefused,
+    EXPECT_EQ(lineOfError(ErrorKind::inputRefused,
                           [&] { checkListing(placed.lattice, list, placed.corners, placed.ids); }),
               "box " + std::to_string(full - list.leaves.begin()) + " does not list triangle " +
                   std::to_string(lost) + ", which touches it");
@@ -286,12 +286,12 @@ TEST(Merging, leavesAPartitionThatListsItsTriangles) {
 
 class PartitionFile : public testing::Test {
   protected:
-    void expectRefused(const ExitCode code, const std::string& content, const std::string& what) {
+    void expectRefused(const ErrorKind kind, const std::string& content, const std::string& what) {
         std::ofstream(file) << content;
-        EXPECT_EQ(lineOfError(code, [&] { readPartition(file); }), file.string() + ": " + what) << content;
+        EXPECT_EQ(lineOfError(kind, [&] { readPartition(file); }), file.string() + ": " + what) << content;
     }
     void expectRefused(const std::string& content, const std::string& what) {
-        expectRefused(ExitCode::sceneRefused, content, what);
+        expectRefused(ErrorKind::inputRefused, content, what);
     }
 
     const TemporaryFolder folder;
@@ -325,7 +325,7 @@ TEST_F(PartitionFile, isRefusedInOneLine) {
                       "box 1 is not 6 whole numbers from 0 to 1023");
     }
     expectRefused(R"({"resolution": [2,1,1], "boxes": [[0,0,0,1,1,1]]})", "no box holds cell 1 0 0");
-    expectRefused(ExitCode::outOfMemory, R"({"resolution": [1023,1023,1023], "boxes": []})",
+    expectRefused(ErrorKind::outOfMemory, R"({"resolution": [1023,1023,1023], "boxes": []})",
                   "a meta table of 1023 x 1023 x 1023 cells takes 4084 MiB, more than the 1024 MiB allowed");
 }
 

@@ -1,6 +1,6 @@
 // Partitions that no kd-tree can make: every plane cuts one of their boxes.
 #pragma once
-#include "accel/partition.h"
+#include "metamarch/accel/partition.h"
 
 #include <cstdint>
 

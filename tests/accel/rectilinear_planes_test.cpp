@@ -1,6 +1,6 @@
 // A lattice of uneven cells: its planes, and positions that find their cells.
-#include "accel/rectilinear_planes.h"
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/rectilinear_planes.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <gtest/gtest.h>
 

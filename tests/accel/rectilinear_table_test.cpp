@@ -1,8 +1,8 @@
 // The rectilinear table: a kd-tree with its planes where it wants them, cell by cell.
-#include "accel/acceleration_structure.h"
-#include "accel/rectilinear_table.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/accel/rectilinear_table.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -184,7 +184,7 @@ TEST(RectilinearTable, ofOneTriangleHoldsItOnce) {
 // What a wanted depth would take is said, and the depth that is offered instead fits.
 TEST(RectilinearTable, refusesADepthThatDoesNotFitWithItsSize) {
     const Scene scene = triangleSoup(6000, 3);
-    const std::string line = lineOfError(ExitCode::outOfMemory, [&] { make(scene, wanted(20)); });
+    const std::string line = lineOfError(ErrorKind::outOfMemory, [&] { make(scene, wanted(20)); });
     std::smatch words;
     ASSERT_TRUE(std::regex_match(
         line, words,
@@ -195,7 +195,7 @@ TEST(RectilinearTable, refusesADepthThatDoesNotFitWithItsSize) {
     EXPECT_NEAR(std::stod(words[4]), cells * sizeof(std::uint32_t) / 0x1p20, 1.0);
     const auto deepest = static_cast<unsigned>(std::stoul(words[5]));
     EXPECT_EQ(make(scene, wanted(deepest)).table.depth, deepest);
-    expectError(ExitCode::outOfMemory, fmt::format("the deepest that fits is {}", deepest),
+    expectError(ErrorKind::outOfMemory, fmt::format("the deepest that fits is {}", deepest),
                 [&] { make(scene, wanted(deepest + 1)); });
 }
 

@@ -1,5 +1,5 @@
 // The split that the builder chooses, against every plane evaluated by counting.
-#include "accel/split.h"
+#include "metamarch/accel/split.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Which cells a triangle is listed in, against every cell tried one by one.
 #include "accel/overlap.h"
-#include "accel/triangle_clip.h"
+#include "metamarch/accel/triangle_clip.h"
 
 #include <gtest/gtest.h>
 

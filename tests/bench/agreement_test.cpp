@@ -1,15 +1,15 @@
 // Every traversal on every shared scene with every ray set, against the judge. It takes half an hour, so it
 // is no test of CTest's: tools/test --long runs it.
-#include "bench/cpu_tracer.h"
-#include "bench/hit_check.h"
-#include "bench/ray_set.h"
-#include "error.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shared_scenes.h"
 #include "fixtures/vulkan_environment.h"
-#include "render/ray_tracer.h"
-#include "scene/import.h"
-#include "shader_library.h"
+#include "metamarch/bench/cpu_tracer.h"
+#include "metamarch/bench/hit_check.h"
+#include "metamarch/bench/ray_set.h"
+#include "metamarch/error/error.h"
+#include "metamarch/render/ray_tracer.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST_P(Agreement, everyTraversalHitsWhatTheJudgeHits) {
     try {
         scene = loadScene(GetParam());
     } catch (const Error& error) {
-        ASSERT_EQ(error.code, ExitCode::sceneRefused);
+        ASSERT_EQ(error.kind, ErrorKind::inputRefused);
         std::cerr << "refused: " << error.what() << "\n"; // whether rightly, the tests of the import know
         return;
     }

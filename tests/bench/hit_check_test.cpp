@@ -1,4 +1,4 @@
-#include "bench/hit_check.h"
+#include "metamarch/bench/hit_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "bench/ray_file.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"
+#include "metamarch/bench/ray_file.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class RayFile : public testing::Test {
     }
 
     void expectRefused(const std::filesystem::path& path, const std::string& part) {
-        expectError(ExitCode::sceneRefused, part, [&] { readRayFile(path); });
+        expectError(ErrorKind::inputRefused, part, [&] { readRayFile(path); });
     }
 
     TemporaryFolder folder;

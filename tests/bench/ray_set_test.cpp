@@ -1,8 +1,8 @@
-#include "bench/cpu_tracer.h"
-#include "bench/random_numbers.h"
-#include "bench/secondary_rays.h"
 #include "fixtures/shapes.h"
-#include "scene/view.h"
+#include "metamarch/bench/cpu_tracer.h"
+#include "metamarch/bench/random_numbers.h"
+#include "metamarch/bench/secondary_rays.h"
+#include "metamarch/shading/view.h"
 
 #include <gtest/gtest.h>
 

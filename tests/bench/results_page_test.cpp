@@ -1,4 +1,4 @@
-#include "bench/results_page.h"
+#include "metamarch/bench/results_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bench/row.h"
+#include "metamarch/bench/row.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "bench/views.h"
 #include "fixtures/shapes.h"
-#include "shared/camera.h"
+#include "metamarch/bench/views.h"
+#include "metamarch/shared/camera.h"
 
 #include <gtest/gtest.h>
 

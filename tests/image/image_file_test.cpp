@@ -1,8 +1,8 @@
 #include "file_size_limit.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"
-#include "image/image_file.h"
-#include "image/output_file.h"
+#include "metamarch/file/output_file.h"
+#include "metamarch/image/image_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -134,7 +134,7 @@ TEST(ImageFile, PngColoursAreNotMultipliedByAlpha) {
 TEST(ImageFile, PngNeedsColours) {
     const TemporaryFolder folder;
     const auto write = [&] { writeImage(Image(1, 1, {"Z"}), folder / "a.png"); };
-    EXPECT_NE(lineOfError(ExitCode::badArguments, write).find("R, G and B"), std::string::npos);
+    EXPECT_NE(lineOfError(ErrorKind::invalidArgument, write).find("R, G and B"), std::string::npos);
     EXPECT_EQ(folder.fileCount(), 0u);
 }
 
@@ -142,9 +142,9 @@ TEST(ImageFile, OnlyKnownEndings) {
     const TemporaryFolder folder;
     for (const char* name : {"a.jpg", "a", "exr", ".exr", "a.exr.bak"}) {
         const std::string line =
-            lineOfError(ExitCode::badArguments, [&] { writeImage(Image(1, 1, {"R"}), folder / name); });
+            lineOfError(ErrorKind::invalidArgument, [&] { writeImage(Image(1, 1, {"R"}), folder / name); });
         EXPECT_EQ(line, (folder / name).string() + ": a picture is written as .exr or .png");
-        EXPECT_EQ(line, lineOfError(ExitCode::badArguments, [&] { checkWritable(folder / name); }));
+        EXPECT_EQ(line, lineOfError(ErrorKind::invalidArgument, [&] { checkWritable(folder / name); }));
     }
     writeImage(Image(1, 1, {"R"}), folder / "a.EXR");
 }
@@ -156,8 +156,8 @@ TEST(ImageFile, CheckWritableTellsBeforeTheRender) {
     std::filesystem::create_directory(folder / "folder.exr");
     for (const char* name : {"no/a.exr", "folder.exr"}) {
         const std::string line =
-            lineOfError(ExitCode::outputNotWritable, [&] { checkWritable(folder / name); });
-        EXPECT_EQ(line, lineOfError(ExitCode::outputNotWritable,
+            lineOfError(ErrorKind::outputNotWritable, [&] { checkWritable(folder / name); });
+        EXPECT_EQ(line, lineOfError(ErrorKind::outputNotWritable,
                                     [&] { writeImage(Image(1, 1, {"R"}), folder / name); }));
     }
 }
@@ -168,7 +168,7 @@ TEST(ImageFile, AFullDiskKeepsTheFormerPicture) {
         writeImage(Image(1, 1, {"R", "G", "B"}), folder / name);
         {
             const FileSizeLimit limit(1500);
-            const std::string line = lineOfError(ExitCode::outputNotWritable, [&] {
+            const std::string line = lineOfError(ErrorKind::outputNotWritable, [&] {
                 Image noise(100, 100, {"R", "G", "B"});
                 for (std::size_t i = 0; i < noise.pixels.size(); ++i)
                     noise.pixels[i] = static_cast<float>(i * 7919 % 10007) / 10007.0f;
@@ -191,7 +191,7 @@ TEST(ImageFile, UnreadablePicturesAreRefused) {
     writeText(folder / "text.exr", "this is no picture\n");
     writeText(folder / "text.txt", "nor is this\n");
     for (const char* name : {"missing.exr", "half.exr", "empty.exr", "text.exr", "text.txt", ""}) {
-        const std::string line = lineOfError(ExitCode::sceneRefused, [&] { readImage(folder / name); });
+        const std::string line = lineOfError(ErrorKind::inputRefused, [&] { readImage(folder / name); });
         EXPECT_EQ(line.find("cannot read " + (folder / name).string() + ": "), 0u) << line;
     }
 }

@@ -1,7 +1,7 @@
 #include "file_size_limit.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"
-#include "image/output_file.h"
+#include "metamarch/file/output_file.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(OutputFile, FollowsASymbolicLink) {
 TEST(OutputFile, RefusesByReason) {
     const TemporaryFolder folder;
     const auto refusal = [](const std::filesystem::path& path) {
-        return lineOfError(ExitCode::outputNotWritable, [&] { OutputFile file(path); });
+        return lineOfError(ErrorKind::outputNotWritable, [&] { OutputFile file(path); });
     };
     writeText(folder / "file", "");
     EXPECT_EQ(refusal(folder / "no/a.json"),
@@ -74,7 +74,7 @@ TEST(OutputFile, RefusesByReason) {
 
 // A rename would put a plain file in the place of the device.
 TEST(OutputFile, RefusesDevices) {
-    const std::string line = lineOfError(ExitCode::outputNotWritable, [] { OutputFile file("/dev/null"); });
+    const std::string line = lineOfError(ErrorKind::outputNotWritable, [] { OutputFile file("/dev/null"); });
     EXPECT_EQ(line, "cannot write /dev/null: it is not a regular file");
 }
 
@@ -83,7 +83,7 @@ TEST(OutputFile, AFullDiskKeepsTheFormerFile) {
     writeText(folder / "a.json", "before");
     {
         const FileSizeLimit limit(1000);
-        const std::string line = lineOfError(ExitCode::outputNotWritable,
+        const std::string line = lineOfError(ErrorKind::outputNotWritable,
                                              [&] { writeText(folder / "a.json", std::string(2000, 'x')); });
         EXPECT_NE(line.find("File too large"), std::string::npos) << line;
     }

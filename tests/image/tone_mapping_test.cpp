@@ -1,5 +1,5 @@
-#include "image/tone_mapping.h"
-#include "shared/packed_pixel.h"
+#include "metamarch/image/tone_mapping.h"
+#include "metamarch/shared/packed_pixel.h"
 
 #include <gtest/gtest.h>
 

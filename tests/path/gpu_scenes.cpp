@@ -1,6 +1,6 @@
 #include "path/gpu_scenes.h"
 
-#include "scene/sky.h"
+#include "metamarch/shading/light/sky.h"
 
 #include <cmath>
 

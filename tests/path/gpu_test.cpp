@@ -2,13 +2,13 @@
 // belong to the traversal.
 #include "fixtures/shared_scenes.h"
 #include "fixtures/vulkan_environment.h"
+#include "metamarch/reference/path.h"
+#include "metamarch/render/path_renderer.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/light/sky.h"
+#include "metamarch/shading/shading.h"
 #include "path/gpu_scenes.h"
-#include "reference/path.h"
-#include "render/path_renderer.h"
-#include "scene/import.h"
-#include "scene/shading.h"
-#include "scene/sky.h"
-#include "shader_library.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The table that lights are drawn from, and the densities that weigh the two ways to find them.
+#include "metamarch/shading/light/sky.h"
+#include "metamarch/shared/path.h"
 #include "path/path_scene.h"
-#include "scene/sky.h"
-#include "shared/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Levels of textures: which one a surface shows, what its filters make of it, and that pictures gain by it.
+#include "metamarch/shared/path.h"
 #include "path/path_scene.h"
-#include "shared/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "path/path_scene.h"
 
-#include "accel/acceleration_structure.h"
 #include "fixtures/shapes.h"
-#include "reference/path.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/path.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // Scenes for the path tracer, made in memory, and what its film says of them.
 #pragma once
-#include "scene/scene.h"
-#include "scene/shading_builder.h"
-#include "scene/view.h"
-#include "shared/film.h"
+#include "metamarch/scene/scene.h"
+#include "metamarch/shading/shading_builder.h"
+#include "metamarch/shading/view.h"
+#include "metamarch/shared/film.h"
 
 #include <cstdint>
 #include <span>

@@ -1,10 +1,10 @@
 // A driver that ends loops early (Mesa's llvmpipe does, after 65,535 turns) must not lose hits unseen.
-#include "error.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "fixtures/vulkan_environment.h"
-#include "reference/trace.h"
-#include "render/ray_tracer.h"
+#include "metamarch/error/error.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/render/ray_tracer.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(CutShort, isRefusedOrRight) {
     try {
         results = tracer.trace(rays);
     } catch (const Error& error) {
-        EXPECT_EQ(error.code, ExitCode::outOfMemory);
+        EXPECT_EQ(error.kind, ErrorKind::outOfMemory);
         EXPECT_NE(std::string(error.what()).find("65535"), std::string::npos) << error.what();
         return;
     }

@@ -1,8 +1,8 @@
 #include "render/inspect_judge.h"
 
-#include "reference/twins.h"
-#include "shared/cells.h"
-#include "shared/inspect.h"
+#include "metamarch/reference/twins.h"
+#include "metamarch/shared/cells.h"
+#include "metamarch/shared/inspect.h"
 
 #include <tbb/parallel_for.h>
 

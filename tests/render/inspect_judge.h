@@ -1,8 +1,8 @@
 // The pictures of the kernels `inspect` and `cells`, drawn by the twins on the CPU.
 #pragma once
-#include "accel/structure_set.h"
-#include "scene/shading_scene.h"
-#include "shared/camera.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/shared/shading_scene.h"
 
 #include <cstdint>
 #include <string>

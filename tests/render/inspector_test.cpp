@@ -2,15 +2,15 @@
 // the work, replaced shaders, traces that a driver ends.
 #include "fixtures/shapes.h"
 #include "fixtures/vulkan_environment.h"
+#include "metamarch/reference/twins.h"
+#include "metamarch/render/inspector.h"
+#include "metamarch/render/view_names.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/shading.h"
+#include "metamarch/shading/view.h"
 #include "path/gpu_scenes.h"
-#include "reference/twins.h"
 #include "render/inspect_judge.h"
-#include "render/inspector.h"
-#include "render/view_names.h"
-#include "scene/import.h"
-#include "scene/shading.h"
-#include "scene/view.h"
-#include "shader_library.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "fixtures/vulkan_environment.h"
-#include "render/ray_tracer.h"
-#include "render/scene_buffers.h"
-#include "shader_library.h"
+#include "metamarch/render/ray_tracer.h"
+#include "metamarch/render/scene_buffers.h"
+#include "metamarch/shaders/shader_library.h"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST_F(SceneBuffers, holdEachRecordOnce) {
 }
 
 TEST_F(SceneBuffers, refuseTooManyChunks) {
-    expectError(ExitCode::outOfMemory, "maxStorageBufferRange",
+    expectError(ErrorKind::outOfMemory, "maxStorageBufferRange",
                 [&] { buffersUnder(limitFor(kTriangleChunks + 1)); });
 }
 
@@ -76,16 +76,16 @@ TEST_F(SceneBuffers, refuseATableOverTheLimit) {
     const std::uint64_t limit = limitFor(1);
     large.table.words.resize(limit / sizeof(std::uint32_t) + 1);
     const auto load = [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); };
-    expectError(ExitCode::outOfMemory, "meta table", load);
-    expectError(ExitCode::outOfMemory, "maxStorageBufferRange", load);
-    expectError(ExitCode::outOfMemory, "choose a smaller --tree-depth or --cells", load);
+    expectError(ErrorKind::outOfMemory, "meta table", load);
+    expectError(ErrorKind::outOfMemory, "maxStorageBufferRange", load);
+    expectError(ErrorKind::outOfMemory, "choose a smaller --tree-depth or --cells", load);
 }
 
 TEST_F(SceneBuffers, refuseExitBoxesOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
     large.table.leaves.resize(limit / sizeof(Leaf) + 1);
-    expectError(ExitCode::outOfMemory, "exit boxes",
+    expectError(ErrorKind::outOfMemory, "exit boxes",
                 [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); });
 }
 
@@ -96,7 +96,7 @@ TEST(Traversals, areRefusedByNameWhereADeviceCannotRunThem) {
         const bool wantsIt = traversal == "ray_query";
         EXPECT_EQ(render::missingFor(report, traversal).empty(), !wantsIt) << traversal;
         if (wantsIt) {
-            expectError(ExitCode::noDevice, "lacks VK_KHR_ray_query, rayQuery",
+            expectError(ErrorKind::noDevice, "lacks VK_KHR_ray_query, rayQuery",
                         [&] { render::requireTraversal(report, traversal); });
         }
     }
@@ -126,7 +126,7 @@ TEST_F(SceneBuffers, giveTheSameHitsFromEitherMemory) {
 TEST_F(SceneBuffers, refuseAnUnknownTraversal) {
     const render::SceneBuffers buffers(vulkan::testDevice(), structure, shading);
     for (const std::string_view traversal : traversals()) {
-        expectError(ExitCode::badArguments, std::string(traversal),
+        expectError(ErrorKind::invalidArgument, std::string(traversal),
                     [&] { render::RayTracer(vulkan::testDevice(), buffers, "no_such", false); });
     }
 }

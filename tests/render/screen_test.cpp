@@ -1,18 +1,18 @@
 // What a window shows: films that grow in small pieces, the bytes made of them, pictures laid over each
 // other. The device against the same functions on the CPU, to the bit.
 #include "fixtures/vulkan_environment.h"
-#include "image/tone_mapping.h"
+#include "metamarch/image/tone_mapping.h"
+#include "metamarch/render/kernel.h"
+#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/path_tracer.h"
+#include "metamarch/render/resolver.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/shading.h"
+#include "metamarch/shared/packed_pixel.h"
+#include "metamarch/shared/primary.h"
+#include "metamarch/shared/screen.h"
+#include "metamarch/vulkan/transfer.h"
 #include "path/path_scene.h"
-#include "render/kernel.h"
-#include "render/path_renderer.h"
-#include "render/path_tracer.h"
-#include "render/resolver.h"
-#include "scene/shading.h"
-#include "shader_library.h"
-#include "shared/packed_pixel.h"
-#include "shared/primary.h"
-#include "shared/screen.h"
-#include "vulkan/transfer.h"
 
 #include <gtest/gtest.h>
 

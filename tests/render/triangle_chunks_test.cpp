@@ -1,6 +1,6 @@
 // How the triangle records are cut into buffers.
 #include "fixtures/expect_error.h"
-#include "render/scene_buffers.h"
+#include "metamarch/render/scene_buffers.h"
 
 #include <gtest/gtest.h>
 
@@ -38,9 +38,10 @@ TEST(TriangleChunks, refuseMoreRecordsThanTheyHold) {
     const std::uint64_t most = kTriangleChunks * kRecordsPerChunk;
     EXPECT_NO_THROW(chunkTriangles(most, kRange));
     for (const std::uint64_t count : {most + 1, std::uint64_t{1} << 30}) {
-        expectError(ExitCode::outOfMemory, "maxStorageBufferRange (128.0 MiB); choose a smaller --tree-depth",
+        expectError(ErrorKind::outOfMemory,
+                    "maxStorageBufferRange (128.0 MiB); choose a smaller --tree-depth",
                     [&] { chunkTriangles(count, kRange); });
-        expectError(ExitCode::outOfMemory, std::to_string(count) + " triangle references",
+        expectError(ErrorKind::outOfMemory, std::to_string(count) + " triangle references",
                     [&] { chunkTriangles(count, kRange); });
     }
 }

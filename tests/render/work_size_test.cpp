@@ -1,5 +1,5 @@
 // How the seconds of one submission decide the size of the next.
-#include "render/work_size.h"
+#include "metamarch/render/work_size.h"
 
 #include <gtest/gtest.h>
 

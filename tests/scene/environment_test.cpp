@@ -1,10 +1,10 @@
 // Environment maps, sound and not.
-#include "error.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shared_scenes.h"
 #include "fixtures/temporary_folder.h"
-#include "image/image_file.h"
-#include "scene/environment.h"
+#include "metamarch/error/error.h"
+#include "metamarch/image/image_file.h"
+#include "metamarch/shading/light/environment.h"
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
 
@@ -47,7 +47,7 @@ TEST_F(EnvironmentTest, ExrByTheNamesOfItsChannels) {
               std::vector<glm::vec3>({{1e30f, 2, 3}}));
     EXPECT_EQ(loadEnvironment(writeExr({"Y"}, {4, 5}, 1)).texels,
               std::vector<glm::vec3>({{4, 4, 4}, {5, 5, 5}}));
-    expectError(ExitCode::sceneRefused, "an environment has channels R, G and B, or Y", [&] {
+    expectError(ErrorKind::inputRefused, "an environment has channels R, G and B, or Y", [&] {
         loadEnvironment(writeExr({"depth", "id"}, {1, 2}, 1));
     });
 }
@@ -78,7 +78,7 @@ TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
           glm::vec3(-1.0f, 0.9f, 0.0f), glm::vec3(1.0f, -0.3f, 0.0f), glm::vec3(1.0f, kInfinity, 1.0f),
           glm::vec3(kNan, 1.0f, 1.0f), glm::vec3(1.0f, 1.0f, -kInfinity)}) {
         const std::filesystem::path file = writeExr({"R", "G", "B"}, greyBut(bad, 2, 1), 9);
-        expectError(ExitCode::sceneRefused,
+        expectError(ErrorKind::inputRefused,
                     fmt::format("{}: texel 2,1 has a radiance of {} {} {}; light is ", file.string(), bad.r,
                                 bad.g, bad.b),
                     [&] { loadEnvironment(file); });
@@ -88,7 +88,8 @@ TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
         for (int i = 0; i < 8; ++i)
             pixels.insert(pixels.end(), {everywhere.r, everywhere.g, everywhere.b});
         const std::filesystem::path file = writeExr({"R", "G", "B"}, pixels, 4);
-        expectError(ExitCode::sceneRefused, ": texel 0,0 has a radiance of ", [&] { loadEnvironment(file); });
+        expectError(ErrorKind::inputRefused, ": texel 0,0 has a radiance of ",
+                    [&] { loadEnvironment(file); });
     }
 }
 
@@ -121,18 +122,18 @@ TEST_F(EnvironmentTest, UndershootBesideBrighterLightBecomesBlack) {
     EXPECT_EQ(sky.warnings.size(), 1u);
     // The same depth far from the light is no undershoot.
     pixels[width + 8] = -0.1351f;
-    expectError(ExitCode::sceneRefused, ": texel 8,1 has a radiance of -0.1351",
+    expectError(ErrorKind::inputRefused, ": texel 8,1 has a radiance of -0.1351",
                 [&] { loadEnvironment(writeExr({"Y"}, pixels, width)); });
 }
 
 TEST_F(EnvironmentTest, UnreadableOnesAreNamed) {
-    expectError(ExitCode::sceneRefused, "gone.hdr", [&] { loadEnvironment(folder / "gone.hdr"); });
-    expectError(ExitCode::sceneRefused, "prose.hdr",
+    expectError(ErrorKind::inputRefused, "gone.hdr", [&] { loadEnvironment(folder / "gone.hdr"); });
+    expectError(ErrorKind::inputRefused, "prose.hdr",
                 [&] { loadEnvironment(write("prose.hdr", "Dear friend,")); });
-    expectError(ExitCode::sceneRefused, "empty.hdr",
+    expectError(ErrorKind::inputRefused, "empty.hdr",
                 [&] { loadEnvironment(write("empty.hdr", hdrFile(0, 0, {}))); });
     const std::string whole = hdrFile(2, 2, std::vector<unsigned char>(16, 128));
-    expectError(ExitCode::sceneRefused, "cut.hdr",
+    expectError(ErrorKind::inputRefused, "cut.hdr",
                 [&] { loadEnvironment(write("cut.hdr", whole.substr(0, whole.size() - 1))); });
 }
 

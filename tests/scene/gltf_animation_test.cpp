@@ -1,7 +1,7 @@
 // Animations, skins and morph targets of glTF, with values worked out by hand.
-#include "error.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/shared_scenes.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
@@ -109,18 +109,18 @@ TEST(GltfAnimation, AllOrOneByNameOrIndex) {
     expectNear(file.at(0)[1], {7, 0, 0});
     expectNear(file.at(0, "translation")[1], {6, 0, 0});
     expectNear(file.at(0, "1")[1], {2, 0, 0});
-    expectError(ExitCode::badArguments,
+    expectError(ErrorKind::invalidArgument,
                 "--animation walk: no such animation; the scene has 0 'translation', 1 'scale'",
                 [&] { file.at(0, "walk"); });
     TriangleFile still;
-    expectError(ExitCode::badArguments, "--animation walk: no such animation; the scene has none",
+    expectError(ErrorKind::invalidArgument, "--animation walk: no such animation; the scene has none",
                 [&] { still.load({.time = 0.0, .animation = "walk"}); });
     EXPECT_TRUE(still.load({.time = 0.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }
 
 TEST(GltfAnimation, BrokenOnesAreRefused) {
     const auto refusal = [](AnimatedFile& file) {
-        return lineOfError(ExitCode::sceneRefused, [&] { file.at(0); })
+        return lineOfError(ErrorKind::inputRefused, [&] { file.at(0); })
             .substr((file.folder / "scene.gltf").string().size() + 2);
     };
     const std::vector<float> three = {0, 0, 0, 1, 0, 0, 1, 2, 0};
@@ -195,7 +195,7 @@ TEST(GltfMorph, WeightsAreAnimated) {
          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
     EXPECT_EQ(file.load({.time = 0.5}).positions, Positions({{-0.5f, 0, 0}, {1, 0, 2}, {0, 1, 0}}));
     file.root["animations"][0]["samplers"][0]["output"] = file.addFloats("SCALAR", 1, {0, 0, 1});
-    expectError(ExitCode::sceneRefused, "2 times, but 3 values", [&] { file.load({.time = 0.5}); });
+    expectError(ErrorKind::inputRefused, "2 times, but 3 values", [&] { file.load({.time = 0.5}); });
 }
 
 TEST(GltfMorph, SparseTargetsMoveAFewVertices) {

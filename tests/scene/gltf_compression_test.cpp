@@ -1,5 +1,5 @@
 // Draco and meshopt: what is decoded is what was encoded, and hostile bytes are refused.
-#include "error.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
@@ -291,7 +291,7 @@ TEST(GltfMeshopt, HostileBytes) {
             try {
                 file.loadCompressed();
             } catch (const Error& error) {
-                EXPECT_EQ(error.code, ExitCode::sceneRefused);
+                EXPECT_EQ(error.kind, ErrorKind::inputRefused);
             }
         }
     }

@@ -1,7 +1,7 @@
 #include "scene/gltf_file.h"
 
-#include "error.h"
 #include "fixtures/expect_error.h"
+#include "metamarch/error/error.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void writeFile(const std::filesystem::path& path, const std::string& content) {
 }
 
 std::string refusalOf(const std::filesystem::path& path) {
-    const std::string line = lineOfError(ExitCode::sceneRefused, [&] { loadScene(path); });
+    const std::string line = lineOfError(ErrorKind::inputRefused, [&] { loadScene(path); });
     const std::string start = path.string() + ": ";
     EXPECT_TRUE(line.starts_with(start)) << line;
     return line.starts_with(start) ? line.substr(start.size()) : line;

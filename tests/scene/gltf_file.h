@@ -1,7 +1,7 @@
 // Small glTF files, written by the test that reads them.
 #pragma once
 #include "fixtures/temporary_folder.h"
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
 #include <nlohmann/json.hpp>
 
@@ -68,7 +68,7 @@ class GltfFile {
 
     std::filesystem::path write(const std::string& name = "scene.gltf");
     Scene load(const ImportOptions& options = {}) { return loadScene(write(), options); }
-    // The line of the sceneRefused that loading must throw, without the file's path.
+    // The line of the inputRefused that loading must throw, without the file's path.
     std::string refusal();
 
     std::size_t byteCount() const { return bytes_.size(); }
@@ -94,7 +94,7 @@ class TriangleFile : public GltfFile {
 
 void writeFile(const std::filesystem::path& path, const std::string& content);
 
-// The line of the sceneRefused that loading `path` must throw, without the path that starts it.
+// The line of the inputRefused that loading `path` must throw, without the path that starts it.
 std::string refusalOf(const std::filesystem::path& path);
 
 } // namespace metamarch

@@ -1,6 +1,6 @@
 // Materials of glTF, with every extension and with variants.
-#include "error.h"
 #include "fixtures/expect_error.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
 
@@ -275,18 +275,18 @@ TEST(GltfVariants, PrimitiveWithoutAMappingKeepsItsMaterial) {
 
 TEST(GltfVariants, UnknownOnesAreListed) {
     VariantFile file;
-    expectError(ExitCode::badArguments,
+    expectError(ErrorKind::invalidArgument,
                 "--variant blue: no such variant; the scene has 0 'brown', 1 'black', 2 'white'",
                 [&] { file.load({.variant = "blue"}); });
     TriangleFile plain;
-    expectError(ExitCode::badArguments, "--variant blue: no such variant; the scene has none",
+    expectError(ErrorKind::invalidArgument, "--variant blue: no such variant; the scene has none",
                 [&] { plain.load({.variant = "blue"}); });
 }
 
 TEST(GltfVariants, MaterialOutOfRange) {
     VariantFile file;
     file.primitive()["extensions"]["KHR_materials_variants"]["mappings"][0]["material"] = 9;
-    expectError(ExitCode::sceneRefused, "mapping 0: material 9 does not exist, there are 3",
+    expectError(ErrorKind::inputRefused, "mapping 0: material 9 does not exist, there are 3",
                 [&] { file.load({.variant = "brown"}); });
 }
 

@@ -1,6 +1,6 @@
 // Textures of glTF: images, samplers, transforms, texture coordinates, and what is missing or broken.
-#include "error.h"
 #include "fixtures/expect_error.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
 

@@ -1,6 +1,6 @@
 // OBJ, PLY, OFF and STL.
-#include "error.h"
 #include "fixtures/temporary_folder.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
@@ -120,7 +120,7 @@ TEST_F(MeshImport, CutOffAnywhere) {
             try {
                 load(name, content.substr(0, size));
             } catch (const Error& error) {
-                EXPECT_EQ(error.code, ExitCode::sceneRefused);
+                EXPECT_EQ(error.kind, ErrorKind::inputRefused);
                 ++refused;
             }
         }

@@ -1,6 +1,6 @@
 // The smaller levels of textures: means of areas in linear light, and the bytes they become.
-#include "scene/mip_levels.h"
-#include "scene/texel_words.h"
+#include "metamarch/shading/texture/mip_levels.h"
+#include "metamarch/shading/texture/texel_words.h"
 
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>

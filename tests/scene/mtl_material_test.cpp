@@ -1,6 +1,6 @@
 // Materials of OBJ in glTF's terms.
-#include "error.h"
 #include "fixtures/expect_error.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
 
@@ -22,7 +22,7 @@ class MtlMaterial : public testing::Test {
     Material material(const std::string& lines) { return load(lines).materials.at(0); }
 
     std::string refusal(const std::string& lines) {
-        return lineOfError(ExitCode::sceneRefused, [&] { load(lines); })
+        return lineOfError(ErrorKind::inputRefused, [&] { load(lines); })
             .substr((folder / "a.obj").string().size() + 2);
     }
 
@@ -171,9 +171,9 @@ TEST_F(MtlMaterial, MapsThatAreNotRenderedAreReported) {
 }
 
 TEST_F(MtlMaterial, NeitherVariantsNorAnimations) {
-    expectError(ExitCode::badArguments, "--variant blue: no such variant; the scene has none",
+    expectError(ErrorKind::invalidArgument, "--variant blue: no such variant; the scene has none",
                 [&] { load("", {.variant = "blue"}); });
-    expectError(ExitCode::badArguments, "--animation walk: no such animation; the scene has none",
+    expectError(ErrorKind::invalidArgument, "--animation walk: no such animation; the scene has none",
                 [&] { load("", {.time = 1.0, .animation = "walk"}); });
     EXPECT_TRUE(load("", {.time = 1.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }

@@ -1,7 +1,7 @@
 // What other people's files look like: materials, textures, lights and poses, as their JSON and their
 // descriptions say.
 #include "fixtures/shared_scenes.h"
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Other people's files, against the counts in the table of their README.
-#include "error.h"
 #include "fixtures/shared_scenes.h"
-#include "scene/import.h"
+#include "metamarch/error/error.h"
+#include "metamarch/scene/import.h"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(SharedScenes, CountsAreThoseOfTheTable) {
                       special != kCountsOfScene.end() ? special->second : counts);
         } catch (const Error& error) {
             ASSERT_NE(refused, kRefused.end()) << error.what();
-            EXPECT_EQ(error.code, ExitCode::sceneRefused);
+            EXPECT_EQ(error.kind, ErrorKind::inputRefused);
             EXPECT_EQ(error.what(), (*folder / file).string() + ": " + refused->second);
         }
     }

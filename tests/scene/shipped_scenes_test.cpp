@@ -1,5 +1,5 @@
 // The scenes that tools/make_scenes writes.
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The sky that lights scenes without light: plausible, and free of numbers that are none.
-#include "scene/sky.h"
+#include "metamarch/shading/light/sky.h"
 
 #include <gtest/gtest.h>
 

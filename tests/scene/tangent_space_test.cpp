@@ -1,8 +1,8 @@
 // MikkTSpace, with values worked out by hand and against the tangents of other exporters.
 #include "fixtures/shared_scenes.h"
+#include "metamarch/scene/tangent_space.h"
 #include "scene/gltf_file.h"
 #include "scene/picture_file.h"
-#include "scene/tangent_space.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Textures in the layout of shaders: filters, levels, and where they lie.
 #include "fixtures/expect_error.h"
-#include "scene/texel_store.h"
-#include "scene/texel_words.h"
+#include "metamarch/shading/texture/texel_store.h"
+#include "metamarch/shading/texture/texel_words.h"
 
 #include <gtest/gtest.h>
 
@@ -159,7 +159,7 @@ TEST(TexelStore, refusesNoSceneForItsLevels) {
     scene.images.push_back(scene.images[0]);
     scene.images.back().name = "the last";
     scene.textures.push_back({.image = kTexelChunks});
-    expectError(ExitCode::outOfMemory, "the last with 8 x 8 texels is one too many",
+    expectError(ErrorKind::outOfMemory, "the last with 8 x 8 texels is one too many",
                 [&] { store.add({.texture = kTexelChunks}); });
 }
 

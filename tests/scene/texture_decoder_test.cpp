@@ -1,6 +1,6 @@
 // Pictures of every format to texels, whole and broken.
+#include "metamarch/scene/texture/texture_decoder.h"
 #include "scene/picture_file.h"
-#include "scene/texture_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Which camera a picture is taken with, and where its rays go.
 #include "fixtures/expect_error.h"
-#include "scene/view.h"
+#include "metamarch/shading/view.h"
 
 #include <gtest/gtest.h>
 
@@ -43,14 +43,14 @@ TEST(SelectCamera, byName) {
 TEST(SelectCamera, refusesOthersAndListsItsOwn) {
     const Scene scene = withCameras();
     for (const char* const selection : {"4", "-1", "fron", "Front", "", "99999999999999999999", "1 "}) {
-        expectError(ExitCode::badArguments, "the scene has 0 'front', 1 '2', 2 'top view', 3 '0x'",
+        expectError(ErrorKind::invalidArgument, "the scene has 0 'front', 1 '2', 2 'top view', 3 '0x'",
                     [&] { selectCamera(scene, selection); });
     }
-    expectError(ExitCode::badArguments, "--camera 4:", [&] { selectCamera(scene, "4"); });
+    expectError(ErrorKind::invalidArgument, "--camera 4:", [&] { selectCamera(scene, "4"); });
 }
 
 TEST(SelectCamera, saysWhatToDoWithoutCameras) {
-    expectError(ExitCode::badArguments, "--camera 0: the scene has no camera; use --eye and --target",
+    expectError(ErrorKind::invalidArgument, "--camera 0: the scene has no camera; use --eye and --target",
                 [] { selectCamera(Scene{}, "0"); });
 }
 
@@ -70,7 +70,7 @@ TEST(LookAt, hasOrthonormalAxesTowardsTheTarget) {
 }
 
 TEST(LookAt, refusesOnePointForBoth) {
-    expectError(ExitCode::badArguments, "--eye and --target are the same point", [] {
+    expectError(ErrorKind::invalidArgument, "--eye and --target are the same point", [] {
         lookAt({1, 2, 3}, {1, 2, 3}, {0, 1, 0});
     });
 }
@@ -79,7 +79,7 @@ TEST(LookAt, refusesUpAlongTheView) {
     const glm::vec3 view(1, 2, -2);
     for (const glm::vec3 up :
          {glm::vec3(0.0f), view, -3.0f * view, 1e-20f * view, view + glm::vec3(1e-6f, 0, 0)}) {
-        expectError(ExitCode::badArguments, "--up", [&] { lookAt(glm::vec3(0.0f), view, up); });
+        expectError(ErrorKind::invalidArgument, "--up", [&] { lookAt(glm::vec3(0.0f), view, up); });
     }
     EXPECT_NO_THROW(lookAt(glm::vec3(0.0f), view, view + glm::vec3(1e-3f, 0, 0)));
 }
@@ -237,14 +237,14 @@ TEST(CameraLens, refusesWhatNoLensIs) {
         return makeCamera(slanted(), kWidth, kHeight, options);
     };
     for (const float radius : {-1.0f, kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
-        expectError(ExitCode::badArguments, "an aperture's radius of ",
+        expectError(ErrorKind::invalidArgument, "an aperture's radius of ",
                     [&] { make({.apertureRadius = radius}); });
     }
     for (const float distance : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
-        expectError(ExitCode::badArguments, "a focus distance of ",
+        expectError(ErrorKind::invalidArgument, "a focus distance of ",
                     [&] { make({.apertureRadius = 1.0f, .focusDistance = distance}); });
     }
-    expectError(ExitCode::badArguments, "a panorama is taken without a lens",
+    expectError(ErrorKind::invalidArgument, "a panorama is taken without a lens",
                 [&] { make({.apertureRadius = 1.0f, .isPanorama = true}); });
 }
 

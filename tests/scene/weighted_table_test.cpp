@@ -1,5 +1,5 @@
 // Tables that draw by weight, for lists and for environments.
-#include "scene/weighted_table.h"
+#include "metamarch/shading/light/weighted_table.h"
 
 #include <gtest/gtest.h>
 

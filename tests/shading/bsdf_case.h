@@ -1,7 +1,7 @@
 // One evaluation and one sample of a BSDF, asked of both sides.
 #ifndef METAMARCH_TESTS_SHADING_BSDF_CASE_H
 #define METAMARCH_TESTS_SHADING_BSDF_CASE_H
-#include "shared/bsdf.h"
+#include "metamarch/shared/bsdf.h"
 
 SHARED_BEGIN
 

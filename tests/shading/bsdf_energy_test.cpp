@@ -1,7 +1,7 @@
 // White furnaces: under light of 1 from everywhere a white surface looks 1, and nothing looks brighter.
 #include "looks.h"
+#include "metamarch/shared/sobol.h"
 #include "random_bsdf_case.h"
-#include "shared/sobol.h"
 
 #include <gtest/gtest.h>
 

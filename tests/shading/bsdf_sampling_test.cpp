@@ -1,8 +1,8 @@
 // Samples of the BSDF fall where their density says, and weigh what the BSDF says.
 #include "chi_square.h"
 #include "looks.h"
+#include "metamarch/shared/bsdf.h"
 #include "random_bsdf_case.h"
-#include "shared/bsdf.h"
 
 #include <gtest/gtest.h>
 

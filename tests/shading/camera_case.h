@@ -1,7 +1,7 @@
 // A drawn camera ray, asked of both sides.
 #ifndef METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #define METAMARCH_TESTS_SHADING_CAMERA_CASE_H
-#include "shared/camera.h"
+#include "metamarch/shared/camera.h"
 
 SHARED_BEGIN
 

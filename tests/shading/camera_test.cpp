@@ -1,8 +1,8 @@
 // Camera rays: filters and lens against their densities, the plane in focus, the panorama's directions.
 #include "chi_square.h"
-#include "scene/view.h"
-#include "shared/camera.h"
-#include "shared/sobol.h"
+#include "metamarch/shading/view.h"
+#include "metamarch/shared/camera.h"
+#include "metamarch/shared/sobol.h"
 
 #include <gtest/gtest.h>
 

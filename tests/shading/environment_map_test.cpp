@@ -1,8 +1,8 @@
 // The map's directions, and its texels drawn by their light.
 #include "chi_square.h"
-#include "scene/weighted_table.h"
-#include "shared/scene_light.h"
-#include "shared/sobol.h"
+#include "metamarch/shading/light/weighted_table.h"
+#include "metamarch/shared/scene_light.h"
+#include "metamarch/shared/sobol.h"
 
 #include <gtest/gtest.h>
 

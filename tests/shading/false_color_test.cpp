@@ -1,6 +1,6 @@
 // The colours of false_color.h: what they are said to be, and in the order they promise.
-#include "shared/false_color.h"
-#include "shared/texture.h"
+#include "metamarch/shared/false_color.h"
+#include "metamarch/shared/texture.h"
 
 #include <gtest/gtest.h>
 

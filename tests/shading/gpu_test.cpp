@@ -7,8 +7,8 @@
 #include "kernels/math.h"
 #include "light_case.h"
 #include "math_case.h"
+#include "metamarch/shading/view.h"
 #include "random_bsdf_case.h"
-#include "scene/view.h"
 
 #include <gtest/gtest.h>
 

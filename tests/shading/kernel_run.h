@@ -2,8 +2,8 @@
 // per invocation, 64 invocations per workgroup.
 #pragma once
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/submission.h"
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/submission.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 // The functions of light.h and environment_map.h on one input, asked of both sides.
 #ifndef METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #define METAMARCH_TESTS_SHADING_LIGHT_CASE_H
-#include "shared/environment_map.h"
+#include "metamarch/shared/environment_map.h"
 
 SHARED_BEGIN
 

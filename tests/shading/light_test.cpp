@@ -1,7 +1,7 @@
 // Light sampling against closed forms, and its samples against their densities.
 #include "chi_square.h"
-#include "shared/light.h"
-#include "shared/sobol.h"
+#include "metamarch/shared/light.h"
+#include "metamarch/shared/sobol.h"
 
 #include <gtest/gtest.h>
 

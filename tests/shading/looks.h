@@ -1,6 +1,6 @@
 // Materials that each show one part of the BSDF, and some that mix them.
 #pragma once
-#include "shared/bsdf.h"
+#include "metamarch/shared/bsdf.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The functions of math.h and sobol.h on one input, asked of both sides.
 #ifndef METAMARCH_TESTS_SHADING_MATH_CASE_H
 #define METAMARCH_TESTS_SHADING_MATH_CASE_H
-#include "shared/math.h"
-#include "shared/sobol.h"
+#include "metamarch/shared/math.h"
+#include "metamarch/shared/sobol.h"
 
 SHARED_BEGIN
 

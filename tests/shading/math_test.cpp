@@ -1,5 +1,5 @@
 // The functions of math.h against long double over the whole of their domains.
-#include "shared/math.h"
+#include "metamarch/shared/math.h"
 
 #include <gtest/gtest.h>
 

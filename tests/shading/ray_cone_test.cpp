@@ -1,6 +1,6 @@
 // Ray cones: pixels of every camera share out what it sees; surfaces pass cones on.
-#include "scene/view.h"
-#include "shared/path.h"
+#include "metamarch/shading/view.h"
+#include "metamarch/shared/path.h"
 
 #include <gtest/gtest.h>
 

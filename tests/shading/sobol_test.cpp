@@ -1,5 +1,5 @@
 // The sampler: every prefix stratified, every dimension and pixel by itself, better than random numbers.
-#include "shared/sobol.h"
+#include "metamarch/shared/sobol.h"
 
 #include <gtest/gtest.h>
 

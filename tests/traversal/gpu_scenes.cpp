@@ -2,7 +2,7 @@
 
 #include "fixtures/shapes.h"
 #include "fixtures/shared_scenes.h"
-#include "scene/import.h"
+#include "metamarch/scene/import.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // The scenes on which the device is compared with the judges.
 #pragma once
-#include "accel/acceleration_structure.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/scene/scene.h"
 
 #include <optional>
 #include <ostream>

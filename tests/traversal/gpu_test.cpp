@@ -2,12 +2,12 @@
 // on.
 #include "fixtures/ray_sets.h"
 #include "fixtures/vulkan_environment.h"
-#include "reference/primary.h"
-#include "reference/twins.h"
-#include "render/primary_renderer.h"
-#include "render/ray_tracer.h"
-#include "scene/view.h"
-#include "shader_library.h"
+#include "metamarch/reference/primary.h"
+#include "metamarch/reference/twins.h"
+#include "metamarch/render/primary_renderer.h"
+#include "metamarch/render/ray_tracer.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/view.h"
 #include "traversal/gpu_scenes.h"
 #include "traversal/judges.h"
 

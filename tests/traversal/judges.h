@@ -1,8 +1,8 @@
 // Every way to trace one ray, side by side, for tests.
 #pragma once
-#include "accel/acceleration_structure.h"
-#include "reference/trace.h"
-#include "shared/ray_query.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/shared/ray_query.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 // The CPU twin of every traversal on scenes made in memory: brute force judges them all.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
-#include "reference/twins.h"
+#include "metamarch/reference/twins.h"
 #include "traversal/judges.h"
 
 #include <gtest/gtest.h>

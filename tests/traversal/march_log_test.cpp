@@ -1,9 +1,9 @@
 // The recorded march is the march: its steps, its boxes one behind the other, its hit.
-#include "accel/structure_set.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
-#include "reference/march_log.h"
-#include "shared/march.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/reference/march_log.h"
+#include "metamarch/shared/march.h"
 
 #include <gtest/gtest.h>
 

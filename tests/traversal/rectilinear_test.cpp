@@ -1,8 +1,8 @@
 // Rays aimed at the uneven planes of the rectilinear table, which no ray set over the uniform lattice meets:
 // brute force judges its twin, which asserts its invariants.
-#include "accel/structure_set.h"
 #include "fixtures/shapes.h"
-#include "reference/twins.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/reference/twins.h"
 #include "traversal/judges.h"
 
 #include <gtest/gtest.h>

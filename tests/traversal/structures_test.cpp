@@ -1,7 +1,7 @@
 // The structures that the rivals of the meta table walk: each holds every triangle wherever a ray may look.
-#include "accel/structure_set.h"
 #include "fixtures/shapes.h"
-#include "shared/kd_rope.h"
+#include "metamarch/accel/structure_set.h"
+#include "metamarch/shared/kd_rope.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

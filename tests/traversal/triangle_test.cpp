@@ -1,10 +1,10 @@
 // The triangle test against double precision, and the two promises that traversals build on: no gaps between
 // neighbours, and hits that lie at their triangle.
-#include "accel/acceleration_structure.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
-#include "reference/trace.h"
-#include "shared/triangle.h"
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/trace.h"
+#include "metamarch/shared/triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Files that change, come and go.
 #include "fixtures/temporary_folder.h"
-#include "viewer/file_watch.h"
+#include "metamarch/viewer/file_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // World to window, against the rays that go the other way.
-#include "scene/view.h"
-#include "viewer/projection.h"
+#include "metamarch/shading/view.h"
+#include "metamarch/viewer/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Scenes that are asked for, and what the thread that reads them answers.
-#include "error.h"
 #include "fixtures/temporary_folder.h"
-#include "viewer/scene_loader.h"
+#include "metamarch/error/error.h"
+#include "metamarch/viewer/scene_loader.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ std::shared_ptr<const LoadedScene> load(SceneLoader& loader, const SceneRequest&
     const std::vector<SceneLoader::Answer> all = answers(loader);
     EXPECT_EQ(all.size(), 1u);
     if (all.empty() || !all.back().scene) {
-        ADD_FAILURE() << (all.empty() ? "no answer" : all.back().refusal);
+        ADD_FAILURE() << (all.empty() ? "no answer" : all.back().refusal->what());
         return std::make_shared<LoadedScene>();
     }
     return all.back().scene;
@@ -127,8 +127,10 @@ TEST(SceneLoader, saysWhyThereIsNoScene) {
     std::vector<SceneLoader::Answer> all = answers(loader);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_FALSE(all[0].scene);
-    EXPECT_TRUE(all[0].refusal.ends_with("missing.obj: no such file")) << all[0].refusal;
-    EXPECT_EQ(all[0].exitCode, static_cast<int>(ExitCode::sceneRefused));
+    ASSERT_TRUE(all[0].refusal);
+    EXPECT_TRUE(std::string(all[0].refusal->what()).ends_with("missing.obj: no such file"))
+        << all[0].refusal->what();
+    EXPECT_EQ(all[0].refusal->kind, ErrorKind::inputRefused);
 
     SceneRequest unlit = good;
     unlit.light.kind = LightChoice::Kind::map;
@@ -137,7 +139,8 @@ TEST(SceneLoader, saysWhyThereIsNoScene) {
     all = answers(loader);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_FALSE(all[0].scene);
-    EXPECT_NE(all[0].refusal.find("missing.hdr"), std::string::npos);
+    ASSERT_TRUE(all[0].refusal);
+    EXPECT_NE(std::string(all[0].refusal->what()).find("missing.hdr"), std::string::npos);
 
     // What was refused takes nothing away.
     EXPECT_EQ(load(loader, good)->whole, first->whole);

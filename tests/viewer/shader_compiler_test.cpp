@@ -1,8 +1,8 @@
 // Shaders compiled while the program runs, against those of the build.
 #include "fixtures/temporary_folder.h"
-#include "shader_library.h"
-#include "viewer/shader_compiler.h"
-#include "viewer/shader_reload.h"
+#include "metamarch/shaders/shader_library.h"
+#include "metamarch/viewer/shader_compiler.h"
+#include "metamarch/viewer/shader_reload.h"
 
 #include <gtest/gtest.h>
 

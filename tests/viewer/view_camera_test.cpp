@@ -1,6 +1,6 @@
 // How hands move the camera, and the options that make it again.
-#include "viewer/projection.h"
-#include "viewer/view_camera.h"
+#include "metamarch/viewer/projection.h"
+#include "metamarch/viewer/view_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The kernel kernels/affine.comp as the tests use it.
 #pragma once
-#include "vulkan/compute_pipeline.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
 #include <cstdint>
 

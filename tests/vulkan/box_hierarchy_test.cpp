@@ -1,9 +1,9 @@
 // The driver's hierarchy on a device that has ray queries; on others, that it is refused.
 #include "fixtures/vulkan_environment.h"
 #include "kernels/boxes.h"
-#include "vulkan/box_hierarchy.h"
-#include "vulkan/submission.h"
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/box_hierarchy.h"
+#include "metamarch/vulkan/submission.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "vulkan/byte_text.h"
+#include "metamarch/vulkan/byte_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // A kernel runs with its bindings, push constants and specialization constants, and its results come back.
 #include "affine_kernel.h"
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/submission.h"
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/submission.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <gtest/gtest.h>
 

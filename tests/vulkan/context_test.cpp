@@ -1,7 +1,7 @@
 #include "fixtures/expect_error.h"
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/context.h"
-#include "vulkan/submission.h"
+#include "metamarch/vulkan/context.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ void exitWithCodeOfContext() {
         std::_Exit(0);
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
-        std::_Exit(static_cast<int>(error.code));
+        std::_Exit(error.kind == ErrorKind::noDevice ? 4 : 1);
     }
 }
 

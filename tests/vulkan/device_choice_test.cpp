@@ -1,5 +1,5 @@
 #include "fixtures/expect_error.h"
-#include "vulkan/device_choice.h"
+#include "metamarch/vulkan/device_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(DeviceChoice, hasNoDefaultAmongUnusableDevices) {
     const std::vector<DeviceReport> reports = {
         report(0, "Old GPU", DeviceType::discrete, {"no compute queue"})};
     EXPECT_EQ(defaultDevice(reports), std::nullopt);
-    expectError(ExitCode::noDevice, "0: Old GPU (not usable: no compute queue)",
+    expectError(ErrorKind::noDevice, "0: Old GPU (not usable: no compute queue)",
                 [&] { chooseDevice(reports, ""); });
 }
 
@@ -46,14 +46,14 @@ TEST(DeviceChoice, takesDigitsAsAnIndex) {
 }
 
 TEST(DeviceChoice, refusesAnIndexThatIsNotThere) {
-    expectError(ExitCode::noDevice, "there is no such device", [] { chooseDevice(kReports, "5"); });
-    expectError(ExitCode::noDevice, "there is no such device",
+    expectError(ErrorKind::noDevice, "there is no such device", [] { chooseDevice(kReports, "5"); });
+    expectError(ErrorKind::noDevice, "there is no such device",
                 [] { chooseDevice(kReports, "99999999999999999999"); });
 }
 
 TEST(DeviceChoice, refusesAnUnusableDeviceAndSaysWhy) {
-    expectError(ExitCode::noDevice, "no compute queue", [] { chooseDevice(kReports, "2"); });
-    expectError(ExitCode::noDevice, "no compute queue", [] { chooseDevice(kReports, "old"); });
+    expectError(ErrorKind::noDevice, "no compute queue", [] { chooseDevice(kReports, "2"); });
+    expectError(ErrorKind::noDevice, "no compute queue", [] { chooseDevice(kReports, "old"); });
 }
 
 TEST(DeviceChoice, takesAPartOfTheNameInAnyCase) {
@@ -64,12 +64,12 @@ TEST(DeviceChoice, takesAPartOfTheNameInAnyCase) {
 TEST(DeviceChoice, overlooksUnusableDevicesByName) { EXPECT_EQ(chooseDevice(kReports, "big gpu"), 3u); }
 
 TEST(DeviceChoice, refusesANameThatFitsSeveral) {
-    expectError(ExitCode::noDevice, "more than one", [] { chooseDevice(kReports, "gpu"); });
+    expectError(ErrorKind::noDevice, "more than one", [] { chooseDevice(kReports, "gpu"); });
 }
 
 TEST(DeviceChoice, refusesANameThatFitsNoneAndListsTheDevices) {
-    expectError(ExitCode::noDevice, "1: Small GPU", [] { chooseDevice(kReports, "no such device"); });
-    expectError(ExitCode::noDevice, "fits no usable device", [] { chooseDevice(kReports, "-1"); });
+    expectError(ErrorKind::noDevice, "1: Small GPU", [] { chooseDevice(kReports, "no such device"); });
+    expectError(ErrorKind::noDevice, "fits no usable device", [] { chooseDevice(kReports, "-1"); });
 }
 
 } // namespace

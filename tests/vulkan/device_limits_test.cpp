@@ -2,7 +2,7 @@
 #include "affine_kernel.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/submission.h"
+#include "metamarch/vulkan/submission.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 TEST(DeviceLimits, bufferOverTheAllocationLimit) {
     const uint64_t size = testDevice().report().maxMemoryAllocationSize + 4;
-    expectError(ExitCode::outOfMemory, "buffer 'table'",
+    expectError(ErrorKind::outOfMemory, "buffer 'table'",
                 [&] { Buffer(testDevice(), BufferUse::storage, size, "table"); });
 }
 
@@ -26,15 +26,16 @@ TEST(DeviceLimits, bindingOverTheRangeLimit) {
     }
     const Buffer table(testDevice(), BufferUse::storage, size, "table");
     ComputePipeline pipeline = affineKernel(testDevice(), 1);
-    expectError(ExitCode::outOfMemory, "buffer 'table'", [&] { pipeline.bind(kAffineInputs, table); });
-    expectError(ExitCode::outOfMemory, "maxStorageBufferRange", [&] { pipeline.bind(kAffineInputs, table); });
+    expectError(ErrorKind::outOfMemory, "buffer 'table'", [&] { pipeline.bind(kAffineInputs, table); });
+    expectError(ErrorKind::outOfMemory, "maxStorageBufferRange",
+                [&] { pipeline.bind(kAffineInputs, table); });
 }
 
 TEST(DeviceLimits, moreStorageBuffersThanTheDeviceHas) {
     KernelInfo info = affineInfo();
     info.storageBindings.resize(testDevice().report().maxPerStageDescriptorStorageBuffers + size_t{1});
     std::iota(info.storageBindings.begin(), info.storageBindings.end(), 0u);
-    expectError(ExitCode::noDevice, "kernel 'affine' needs", [&] { ComputePipeline(testDevice(), info); });
+    expectError(ErrorKind::noDevice, "kernel 'affine' needs", [&] { ComputePipeline(testDevice(), info); });
 }
 
 TEST(DeviceLimits, moreGroupsThanADispatchHolds) {
@@ -45,7 +46,7 @@ TEST(DeviceLimits, moreGroupsThanADispatchHolds) {
     }
     const ComputePipeline pipeline = affineKernel(testDevice(), 1);
     Submission submission(testDevice());
-    expectError(ExitCode::outOfMemory, "maxComputeWorkGroupCount", [&] {
+    expectError(ErrorKind::outOfMemory, "maxComputeWorkGroupCount", [&] {
         submission.run([&](Commands& commands) {
             commands.dispatch(pipeline, {most + 1, 1, 1}, AffinePush{});
         });

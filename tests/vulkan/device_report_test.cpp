@@ -1,5 +1,5 @@
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/device_report.h"
+#include "metamarch/vulkan/device_report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "cli/devices_command.h"
 #include "fixtures/vulkan_environment.h"
+#include "metamarch/cli/devices_command.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

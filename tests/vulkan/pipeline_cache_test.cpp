@@ -1,6 +1,6 @@
 #include "affine_kernel.h"
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/pipeline_cache.h"
+#include "metamarch/vulkan/pipeline_cache.h"
 
 #include <gtest/gtest.h>
 

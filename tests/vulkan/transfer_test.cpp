@@ -1,5 +1,5 @@
 #include "fixtures/vulkan_environment.h"
-#include "vulkan/transfer.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <gtest/gtest.h>
 

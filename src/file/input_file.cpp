@@ -1,0 +1,97 @@
+#include "metamarch/file/input_file.h"
+
+#include "metamarch/error/error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+namespace metamarch {
+namespace {
+
+// Libraries' messages and names in hostile files bring line breaks and terminal escapes along.
+std::string oneLine(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
+} // namespace
+
+InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
+    std::error_code failure;
+    if (!std::filesystem::exists(path_, failure))
+        refuse("no such file");
+    // Devices and pipes would be read for ever.
+    if (!std::filesystem::is_regular_file(path_, failure))
+        refuse("not a regular file");
+    if (std::filesystem::file_size(path_, failure) == 0)
+        refuse("the file is empty");
+    folder_ = std::filesystem::canonical(path_, failure).parent_path();
+    if (failure)
+        refuse(failure.message());
+}
+
+std::vector<unsigned char> InputFile::read() const {
+    std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
+    if (!bytes)
+        refuse("cannot be opened and read to its end");
+    return std::move(*bytes);
+}
+
+bool InputFile::isBeside(const std::filesystem::path& other) const {
+    std::error_code failure;
+    // Absolute first: of a relative path none of whose folders exist weakly_canonical makes nothing better.
+    const std::filesystem::path resolved =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(other), failure);
+    if (failure)
+        return false;
+    return std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end()).first ==
+           folder_.end();
+}
+
+std::string InputFile::whyNotReadable(const std::string& name) const {
+    if (name.find("://") != std::string::npos)
+        return "is not a file beside the scene";
+    if (std::filesystem::path(name).is_absolute() || name.find('\0') != std::string::npos ||
+        !isBeside(companion(name)))
+        return "leaves the scene's folder";
+    std::error_code failure;
+    return std::filesystem::is_regular_file(companion(name), failure) ? "" : "is missing";
+}
+
+void InputFile::refuse(const std::string& what) const { throw Error(ErrorKind::inputRefused, line(what)); }
+
+void InputFile::refuseSize(const std::string& what) const { throw Error(ErrorKind::outOfMemory, line(what)); }
+
+void InputFile::warn(const std::string& what) {
+    if (warned_.insert(what).second)
+        warnings_.push_back(line(what));
+}
+
+std::string InputFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
+
+std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary | std::ios::ate);
+    if (!stream)
+        return std::nullopt;
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
+    stream.seekg(0);
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+        return std::nullopt;
+    return bytes;
+}
+
+std::string lowerCaseEnding(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+std::string elementName(const char* kind, const std::string& name, std::size_t index) {
+    return std::string(kind) + ' ' + (name.empty() ? std::to_string(index) : '\'' + name + '\'');
+}
+
+} // namespace metamarch

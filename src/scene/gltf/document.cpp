@@ -1,0 +1,234 @@
+#include "metamarch/scene/gltf/document.h"
+
+#include "metamarch/scene/gltf/draco.h"
+#include "metamarch/scene/gltf/extension.h"
+#include "metamarch/scene/gltf/glb_container.h"
+#include "metamarch/scene/gltf/meshopt.h"
+#include "metamarch/scene/gltf/uri.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace metamarch {
+namespace {
+
+using Json = nlohmann::json;
+
+// The deepest path glTF 2.0 needs is about ten; below this, recursion over the JSON is harmless.
+constexpr int kMaxJsonDepth = 64;
+
+// tinygltf keeps these in 64 bits, and every other integer in 32. 2^53: what JSON promises to carry exactly.
+constexpr std::array<std::string_view, 4> kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
+constexpr std::uint64_t kMaxSize = std::uint64_t{1} << 53;
+
+constexpr std::array<std::string_view, 13> kIndexKeys = {
+    "attributes", "buffer", "bufferView", "camera", "children", "componentType", "indices",
+    "material",   "mesh",   "mode",       "nodes",  "scene",    "skin"};
+
+// What GltfElement reads instead of tinygltf, and what both read: for the extensions.
+constexpr std::array<const char*, 7> kElementKeys = {"animations", "extensions", "images",  "materials",
+                                                     "samplers",   "skins",      "textures"};
+constexpr std::array<const char*, 3> kSharedKeys = {"bufferViews", "meshes", "nodes"};
+
+template <std::size_t N>
+bool contains(const std::array<std::string_view, N>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+Json parseJson(const InputFile& file, const unsigned char* begin, const unsigned char* end) {
+    const auto keep = [&file](int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth > kMaxJsonDepth)
+            file.refuse("JSON is nested more than " + std::to_string(kMaxJsonDepth) + " deep");
+        return event != Json::parse_event_t::key || parsed != "extras";
+    };
+    try {
+        Json root = Json::parse(begin, end, keep);
+        if (!root.is_object())
+            file.refuse("the JSON is not an object");
+        return root;
+    } catch (const Json::exception& failure) {
+        file.refuse(std::string("not glTF: ") + failure.what());
+    }
+}
+
+// `where` is the path so far ("accessors[3].count"), `key` the nearest enclosing name.
+void checkIntegers(const InputFile& file, const Json& value, std::string_view key, const std::string& where) {
+    const bool isSize = contains(kSizeKeys, key);
+    if (value.is_object()) {
+        const bool namesIndices = key == "attributes";
+        for (const auto& [name, member] : value.items()) {
+            checkIntegers(file, member,
+                          namesIndices && !member.is_structured() ? key : std::string_view(name),
+                          where.empty() ? name : where + '.' + name);
+        }
+    } else if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i)
+            checkIntegers(file, value[i], key, where + '[' + std::to_string(i) + ']');
+    } else if (isSize || contains(kIndexKeys, key)) {
+        const std::uint64_t limit = isSize ? kMaxSize : std::numeric_limits<std::int32_t>::max();
+        if (!value.is_number_unsigned() || value.get<std::uint64_t>() > limit)
+            file.refuse(where + ": " + value.dump() + " is not an integer from 0 to " +
+                        std::to_string(limit));
+    }
+}
+
+void checkVersion(const InputFile& file, const Json& root) {
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
+        !(*asset)["version"].is_string())
+        file.refuse("asset.version is missing");
+    for (const char* key : {"version", "minVersion"}) {
+        const std::string version = asset->contains(key) ? (*asset)[key].get<std::string>() : "2.0";
+        if (key == std::string_view("minVersion") ? version != "2.0" : !version.starts_with("2."))
+            file.refuse("asset." + std::string(key) + ": glTF " + version + " is not supported, glTF 2.0 is");
+    }
+}
+
+std::vector<std::string> extensionNames(const Json& root, const char* key) {
+    const auto names = root.find(key);
+    return names != root.end() ? names->get<std::vector<std::string>>() : std::vector<std::string>();
+}
+
+void checkExtensions(InputFile& file, const Json& root) {
+    for (const std::string& name : extensionNames(root, "extensionsRequired")) {
+        if (!isSupportedExtension(name))
+            file.refuse("extensionsRequired: " + name + " is not supported");
+    }
+    std::string unknown;
+    for (const std::string& name : extensionNames(root, "extensionsUsed")) {
+        if (!isSupportedExtension(name))
+            unknown += (unknown.empty() ? "" : ", ") + name;
+    }
+    if (!unknown.empty())
+        file.warn("extensionsUsed: ignoring " + unknown);
+}
+
+// Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for the
+// decoded bytes of others has none to read: one byte takes its place.
+void checkBufferUris(const InputFile& file, Json& root) {
+    const auto buffers = root.find("buffers");
+    if (buffers == root.end())
+        return;
+    for (std::size_t i = 0; i < buffers->size(); ++i) {
+        Json& buffer = (*buffers)[i];
+        const Json* meshopt = canDecompressMeshopt() ? meshoptExtension(buffer) : nullptr;
+        if (meshopt != nullptr && meshopt->value("fallback", false))
+            buffer = {{"byteLength", 1u}, {"uri", "data:application/octet-stream;base64,AA=="}};
+        else if (buffer.contains("uri"))
+            buffer["uri"] =
+                checkedBufferUri(file, "buffer " + std::to_string(i), buffer["uri"].get<std::string>());
+    }
+}
+
+// tinygltf wants the indices of a primitive in a buffer view even where they are compressed.
+void eraseCompressedIndices(Json& root) {
+    const auto meshes = root.find("meshes");
+    if (meshes == root.end())
+        return;
+    for (Json& mesh : *meshes) {
+        const auto primitives = mesh.find("primitives");
+        for (std::size_t i = 0; primitives != mesh.end() && i < primitives->size(); ++i) {
+            Json& primitive = primitives->at(i);
+            if (primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer))
+                primitive.erase("indices");
+        }
+    }
+}
+
+void eraseExtensions(Json& value) {
+    if (value.is_object())
+        value.erase("extensions");
+    for (Json& member : value) {
+        if (member.is_structured())
+            eraseExtensions(member);
+    }
+}
+
+// Elements that must be objects; a member of a wrong type would otherwise throw deep inside a library,
+// unnamed.
+void checkObjects(const InputFile& file, const Json& root) {
+    for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
+                            "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
+        const auto elements = root.find(key);
+        if (elements == root.end())
+            continue;
+        if (!elements->is_array() || !std::all_of(elements->begin(), elements->end(),
+                                                  [](const Json& element) { return element.is_object(); }))
+            file.refuse(std::string(key) + " is not an array of objects");
+    }
+}
+
+// Moves what tinygltf need not see out of `root`, and returns it.
+Json takeElements(Json& root) {
+    Json elements = Json::object();
+    for (const char* key : kElementKeys) {
+        if (const auto found = root.find(key); found != root.end()) {
+            elements[key] = std::move(*found);
+            root.erase(found);
+        }
+    }
+    for (const char* key : kSharedKeys) {
+        if (const auto found = root.find(key); found != root.end())
+            elements[key] = *found;
+    }
+    return elements;
+}
+
+// The elements, and in `text` what is left for tinygltf.
+Json checkedJson(InputFile& file, Json root, std::string& text) {
+    checkVersion(file, root);
+    checkExtensions(file, root);
+    checkObjects(file, root);
+    Json elements = takeElements(root);
+    checkBufferUris(file, root);
+    eraseCompressedIndices(root);
+    eraseExtensions(root);
+    checkIntegers(file, root, "", "");
+    text = root.dump();
+    return elements;
+}
+
+} // namespace
+
+GltfDocument readGltf(InputFile& file) {
+    std::vector<unsigned char> bytes = file.read();
+    const bool binary = isGlb(bytes);
+    const ByteRange json = binary ? glbJson(file, bytes) : ByteRange{0, bytes.size()};
+    if (!binary && bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        file.refuse("a .gltf of more than 4 GiB");
+
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(readOnlyBeside(file));
+    GltfDocument document;
+    std::string errors;
+    std::string warnings;
+    bool parsed = false;
+    try {
+        std::string checked;
+        document.json =
+            checkedJson(file, parseJson(file, bytes.data() + json.begin, bytes.data() + json.end), checked);
+        const std::string folder = file.path().parent_path().string();
+        if (binary) {
+            replaceGlbJson(file, bytes, json, checked);
+            parsed = parser.LoadBinaryFromMemory(&document.model, &errors, &warnings, bytes.data(),
+                                                 static_cast<unsigned int>(bytes.size()), folder);
+        } else {
+            parsed = parser.LoadASCIIFromString(&document.model, &errors, &warnings, checked.data(),
+                                                static_cast<unsigned int>(checked.size()), folder);
+        }
+    } catch (const Json::exception& failure) {
+        file.refuse(std::string("not glTF: ") + failure.what());
+    }
+    // tinygltf goes on after some errors, for one by dropping the primitive it was in.
+    if (!parsed || !errors.empty())
+        file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
+    decompressMeshopt(document, file);
+    decompressDraco(document, file);
+    return document;
+}
+
+} // namespace metamarch

@@ -1,0 +1,187 @@
+#include "metamarch/scene/gltf/material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace metamarch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<float>::max();
+
+float factor(const GltfElement& source, const char* key, double fallback, double least = 0.0,
+             double most = 1.0) {
+    return static_cast<float>(std::clamp(source.number(key, fallback), least, most));
+}
+
+glm::vec3 color(const GltfElement& source, const char* key, double fallback) {
+    return glm::vec3(glm::clamp(source.vector<3>(key, glm::dvec3(fallback)), 0.0, 1.0));
+}
+
+class MaterialReader {
+  public:
+    MaterialReader(const GltfElement& source, const GltfTextures& textures, double scale)
+        : source_(source), textures_(textures), unit_(std::abs(scale)) {}
+
+    Material read() {
+        material_.name = source_.text("name");
+        readCore();
+        readSurfaceExtensions();
+        readTransmission();
+        readCoats();
+        return std::move(material_);
+    }
+
+  private:
+    void readCore() {
+        const GltfElement pbr = source_.object("pbrMetallicRoughness");
+        Material& m = material_;
+        m.baseColorFactor =
+            glm::vec4(glm::clamp(pbr.vector<4>("baseColorFactor", glm::dvec4(1.0)), 0.0, 1.0));
+        m.baseColorTexture = textures_.ref(pbr, "baseColorTexture", true);
+        m.metallicFactor = factor(pbr, "metallicFactor", 1.0);
+        m.roughnessFactor = factor(pbr, "roughnessFactor", 1.0);
+        m.metallicRoughnessTexture = textures_.ref(pbr, "metallicRoughnessTexture", false);
+        m.normalTexture = textures_.ref(source_, "normalTexture", false);
+        m.normalScale = normalScale(source_, "normalTexture");
+        m.emissiveFactor = color(source_, "emissiveFactor", 0.0);
+        m.emissiveTexture = textures_.ref(source_, "emissiveTexture", true);
+        m.alphaMode = alphaMode();
+        m.alphaCutoff = factor(source_, "alphaCutoff", 0.5, 0.0, kLargest);
+        m.doubleSided = source_.flag("doubleSided", false);
+    }
+
+    void readSurfaceExtensions() {
+        Material& m = material_;
+        m.unlit = source_.extension("KHR_materials_unlit").has_value();
+        if (const auto emissive = source_.extension("KHR_materials_emissive_strength"))
+            m.emissiveStrength = factor(*emissive, "emissiveStrength", 1.0, 0.0, kLargest);
+        if (const auto refraction = source_.extension("KHR_materials_ior")) {
+            m.ior = factor(*refraction, "ior", 1.5, 0.0, kLargest);
+            m.ior = m.ior == 0.0f ? 0.0f : std::max(m.ior, 1.0f);
+        }
+        if (const auto dispersion = source_.extension("KHR_materials_dispersion"))
+            m.dispersion = factor(*dispersion, "dispersion", 0.0, 0.0, kLargest);
+        if (const auto specular = source_.extension("KHR_materials_specular")) {
+            m.specularFactor = factor(*specular, "specularFactor", 1.0);
+            m.specularTexture = textures_.ref(*specular, "specularTexture", false);
+            // The one colour that may pass 1: it scales the reflectance that the index of refraction gives.
+            m.specularColorFactor = glm::vec3(
+                glm::clamp(specular->vector<3>("specularColorFactor", glm::dvec3(1.0)), 0.0, kLargest));
+            m.specularColorTexture = textures_.ref(*specular, "specularColorTexture", true);
+        }
+        if (const auto anisotropy = source_.extension("KHR_materials_anisotropy")) {
+            m.anisotropyStrength = factor(*anisotropy, "anisotropyStrength", 0.0);
+            m.anisotropyRotation = factor(*anisotropy, "anisotropyRotation", 0.0, -kLargest, kLargest);
+            m.anisotropyTexture = textures_.ref(*anisotropy, "anisotropyTexture", false);
+        }
+    }
+
+    void readTransmission() {
+        Material& m = material_;
+        if (const auto transmission = source_.extension("KHR_materials_transmission")) {
+            m.transmissionFactor = factor(*transmission, "transmissionFactor", 0.0);
+            m.transmissionTexture = textures_.ref(*transmission, "transmissionTexture", false);
+        }
+        if (const auto diffuse = source_.extension("KHR_materials_diffuse_transmission")) {
+            m.diffuseTransmissionFactor = factor(*diffuse, "diffuseTransmissionFactor", 0.0);
+            m.diffuseTransmissionTexture = textures_.ref(*diffuse, "diffuseTransmissionTexture", false);
+            m.diffuseTransmissionColorFactor = color(*diffuse, "diffuseTransmissionColorFactor", 1.0);
+            m.diffuseTransmissionColorTexture =
+                textures_.ref(*diffuse, "diffuseTransmissionColorTexture", true);
+        }
+        if (const auto volume = source_.extension("KHR_materials_volume")) {
+            m.thicknessFactor = length(*volume, "thicknessFactor", 0.0);
+            m.thicknessTexture = textures_.ref(*volume, "thicknessTexture", false);
+            m.attenuationDistance = length(*volume, "attenuationDistance", kInfinity);
+            if (m.attenuationDistance == 0.0f)
+                volume->refuse("attenuationDistance is 0");
+            m.attenuationColor = color(*volume, "attenuationColor", 1.0);
+        }
+    }
+
+    void readCoats() {
+        Material& m = material_;
+        if (const auto clearcoat = source_.extension("KHR_materials_clearcoat")) {
+            m.clearcoatFactor = factor(*clearcoat, "clearcoatFactor", 0.0);
+            m.clearcoatTexture = textures_.ref(*clearcoat, "clearcoatTexture", false);
+            m.clearcoatRoughnessFactor = factor(*clearcoat, "clearcoatRoughnessFactor", 0.0);
+            m.clearcoatRoughnessTexture = textures_.ref(*clearcoat, "clearcoatRoughnessTexture", false);
+            m.clearcoatNormalTexture = textures_.ref(*clearcoat, "clearcoatNormalTexture", false);
+            m.clearcoatNormalScale = normalScale(*clearcoat, "clearcoatNormalTexture");
+        }
+        if (const auto sheen = source_.extension("KHR_materials_sheen")) {
+            m.sheenColorFactor = color(*sheen, "sheenColorFactor", 0.0);
+            m.sheenColorTexture = textures_.ref(*sheen, "sheenColorTexture", true);
+            m.sheenRoughnessFactor = factor(*sheen, "sheenRoughnessFactor", 0.0);
+            m.sheenRoughnessTexture = textures_.ref(*sheen, "sheenRoughnessTexture", false);
+        }
+        if (const auto film = source_.extension("KHR_materials_iridescence")) {
+            m.iridescenceFactor = factor(*film, "iridescenceFactor", 0.0);
+            m.iridescenceTexture = textures_.ref(*film, "iridescenceTexture", false);
+            m.iridescenceIor = factor(*film, "iridescenceIor", 1.3, 1.0, kLargest);
+            m.iridescenceThicknessMinimum =
+                factor(*film, "iridescenceThicknessMinimum", 100.0, 0.0, kLargest);
+            m.iridescenceThicknessMaximum =
+                factor(*film, "iridescenceThicknessMaximum", 400.0, 0.0, kLargest);
+            m.iridescenceThicknessTexture = textures_.ref(*film, "iridescenceThicknessTexture", false);
+        }
+    }
+
+    AlphaMode alphaMode() const {
+        const std::string mode = source_.text("alphaMode", "OPAQUE");
+        if (mode == "OPAQUE")
+            return AlphaMode::opaque;
+        if (mode == "MASK")
+            return AlphaMode::mask;
+        if (mode == "BLEND")
+            return AlphaMode::blend;
+        source_.refuse("alphaMode '" + mode + "' is none of OPAQUE, MASK, BLEND");
+    }
+
+    static float normalScale(const GltfElement& source, const char* texture) {
+        return factor(source.object(texture), "scale", 1.0, -kLargest, kLargest);
+    }
+
+    // May be infinite, as the default of attenuationDistance is.
+    float length(const GltfElement& source, const char* key, double fallback) const {
+        return static_cast<float>(std::max(source.number(key, fallback), 0.0) * unit_);
+    }
+
+    const GltfElement& source_;
+    const GltfTextures& textures_;
+    double unit_; // one of the file's lengths in the world
+    Material material_;
+};
+
+// Gives the file's sets of texture coordinates the numbers 0 and 1.
+void renumberTexCoords(const GltfElement& source, GltfMaterial& read) {
+    std::vector<std::uint32_t> sets;
+    for (TextureRef* ref : texturesOf(read.material)) {
+        if (ref->texture == kNoTexture)
+            continue;
+        if (std::ranges::find(sets, ref->texCoord) == sets.end())
+            sets.push_back(ref->texCoord);
+    }
+    std::ranges::sort(sets); // so that sets 0 and 1 keep their numbers
+    if (sets.size() > 2)
+        source.refuse("uses " + std::to_string(sets.size()) + " sets of texture coordinates, the limit is 2");
+    if (sets.empty() || sets.back() <= 1)
+        return;
+    std::ranges::copy(sets, read.texCoordSets.begin());
+    for (TextureRef* ref : texturesOf(read.material)) {
+        if (ref->texture != kNoTexture)
+            ref->texCoord = ref->texCoord == read.texCoordSets[0] ? 0 : 1;
+    }
+}
+
+} // namespace
+
+GltfMaterial readMaterial(const GltfElement& source, const GltfTextures& textures, double scale) {
+    GltfMaterial read{MaterialReader(source, textures, scale).read()};
+    renumberTexCoords(source, read);
+    return read;
+}
+
+} // namespace metamarch

@@ -1,0 +1,31 @@
+// glTF textures: images, samplers, and how materials refer to them.
+#pragma once
+#include "metamarch/scene/gltf/document.h"
+#include "metamarch/scene/gltf/element.h"
+#include "metamarch/scene/texture.h"
+#include "metamarch/scene/texture/texture_loader.h"
+
+#include <vector>
+
+namespace metamarch {
+
+class GltfTextures {
+  public:
+    // Throws Error(inputRefused) for samplers and images that do not exist and for filters and wrap modes
+    // that glTF does not know. `document` and `file` must outlive it and its sources.
+    GltfTextures(const GltfDocument& document, const InputFile& file);
+
+    // In the file's order, but that sources of textures without a readable image come last.
+    const std::vector<Texture>& textures() const { return textures_; }
+    const std::vector<TextureSource>& sources() const { return sources_; }
+
+    // The texture that member `key` of `material` refers to, with KHR_texture_transform. `texture` is an
+    // index into textures(), `texCoord` the file's.
+    TextureRef ref(const GltfElement& material, const char* key, bool isSrgb) const;
+
+  private:
+    std::vector<Texture> textures_;
+    std::vector<TextureSource> sources_;
+};
+
+} // namespace metamarch

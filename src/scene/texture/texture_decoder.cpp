@@ -1,0 +1,150 @@
+#include "metamarch/scene/texture/texture_decoder.h"
+
+#include "metamarch/scene/texture/png_check.h"
+#include "metamarch/scene/texture/webp_decoder.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace metamarch {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Format {
+    std::string_view magic;
+    const char* name; // OpenImageIO's
+    bool isLinear = false;
+};
+
+constexpr std::array<Format, 10> kFormats = {{{"\x89PNG\r\n\x1a\n"sv, "png"},
+                                              {"\xff\xd8\xff"sv, "jpeg"},
+                                              {"RIFF"sv, "webp"},
+                                              {"\x76\x2f\x31\x01"sv, "openexr", true},
+                                              {"#?RADIANCE"sv, "hdr", true},
+                                              {"#?RGBE"sv, "hdr", true},
+                                              {"II*\0"sv, "tiff"},
+                                              {"MM\0*"sv, "tiff"},
+                                              {"BM"sv, "bmp"},
+                                              {"GIF8"sv, "gif"}}};
+constexpr Format kTarga = {"", "targa"};
+
+// 16384 x 16384; 1 GiB of bytes.
+constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 28;
+
+constexpr int kRowsAtOnce = 64;
+
+Format formatOf(std::span<const unsigned char> bytes, const std::string& ending) {
+    const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
+                                 std::min<std::size_t>(bytes.size(), 16));
+    for (const Format& format : kFormats) {
+        if (start.starts_with(format.magic))
+            return format;
+    }
+    if (ending == ".tga")
+        return kTarga;
+    if (start.starts_with("\xabKTX"))
+        throw TextureFailure("is a KTX texture (KHR_texture_basisu), which is not supported");
+    throw TextureFailure("is no picture of a known format");
+}
+
+void checkSize(const OIIO::ImageSpec& spec) {
+    if (spec.deep || spec.depth > 1)
+        throw TextureFailure("is a deep picture or a volume");
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+        throw TextureFailure("has no texels");
+    if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > kMaxTexels)
+        throw TextureFailure("has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                             " texels, more than the limit of " + std::to_string(kMaxTexels));
+}
+
+// The first `channels` of every texel. Memory grows with what was really read, not with what the header says.
+template <class T>
+std::vector<T> readChannels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels,
+                            OIIO::TypeDesc type) {
+    const bool tiled = spec.tile_width > 0;
+    const int band = tiled ? spec.tile_height : kRowsAtOnce;
+    const std::size_t row = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(channels);
+    std::vector<T> values;
+    for (int y = 0; y < spec.height; y += band) {
+        const int rows = std::min(band, spec.height - y);
+        const std::size_t begin = values.size();
+        values.resize(begin + static_cast<std::size_t>(rows) * row);
+        const int first = spec.y + y;
+        const bool read = tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, first, first + rows,
+                                                   spec.z, spec.z + 1, 0, channels, type, &values[begin])
+                                : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, channels, type,
+                                                       &values[begin]);
+        // Some readers fill what is missing with grey, say so and succeed.
+        if (!read || input.has_error())
+            throw TextureFailure("cannot be decoded: " + input.geterror());
+    }
+    return values;
+}
+
+// Grey is spread; the alpha of one and three channels is `opaque`.
+template <class T>
+std::vector<glm::vec<4, T>> toTexels(const std::vector<T>& values, std::size_t channels, T opaque) {
+    std::vector<glm::vec<4, T>> texels(values.size() / channels);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const T* const from = &values[i * channels];
+        const bool grey = channels < 3;
+        texels[i] = {from[0], grey ? from[0] : from[1], grey ? from[0] : from[2],
+                     channels % 2 == 0 ? from[channels - 1] : opaque};
+    }
+    return texels;
+}
+
+void checkFinite(const TextureImage& image) {
+    for (std::size_t i = 0; i < image.floats.size(); ++i) {
+        const glm::vec4& texel = image.floats[i];
+        if (!std::isfinite(texel.r) || !std::isfinite(texel.g) || !std::isfinite(texel.b) ||
+            !std::isfinite(texel.a))
+            throw TextureFailure("has a texel that is not finite, at " + std::to_string(i % image.width) +
+                                 ',' + std::to_string(i / image.width));
+    }
+}
+
+TextureImage decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    checkSize(spec);
+    TextureImage image;
+    image.width = static_cast<std::uint32_t>(spec.width);
+    image.height = static_cast<std::uint32_t>(spec.height);
+    const int channels = std::min(spec.nchannels, 4);
+    const auto count = static_cast<std::size_t>(channels);
+    if (spec.format == OIIO::TypeUInt8)
+        image.bytes =
+            toTexels<glm::u8>(readChannels<glm::u8>(input, spec, channels, OIIO::TypeUInt8), count, 255);
+    else
+        image.floats =
+            toTexels<float>(readChannels<float>(input, spec, channels, OIIO::TypeFloat), count, 1.0f);
+    checkFinite(image);
+    return image;
+}
+
+} // namespace
+
+DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::string& ending) {
+    const Format format = formatOf(bytes, ending);
+    if (format.name == "webp"sv)
+        return {decodeWebp(bytes), false};
+    if (format.name == "png"sv)
+        checkPng(bytes);
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format.name);
+    if (input == nullptr)
+        throw TextureFailure("is " + std::string(format.name) + ", which this OpenImageIO cannot read");
+    OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
+    OIIO::ImageSpec request;
+    request.attribute("oiio:UnassociatedAlpha", 1); // texels as stored
+    OIIO::ImageSpec spec;
+    if (!input->set_ioproxy(&memory) || !input->open(std::string("texture.") + format.name, spec, request))
+        throw TextureFailure("cannot be decoded: " + input->geterror());
+    return {decode(*input, spec), format.isLinear};
+}
+
+} // namespace metamarch

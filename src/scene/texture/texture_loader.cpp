@@ -1,0 +1,195 @@
+#include "metamarch/scene/texture/texture_loader.h"
+
+#include "metamarch/scene/texture/texture_decoder.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+constexpr std::uint32_t kUnused = 0xffffffffu;
+
+struct Loaded {
+    DecodedTexture texture;
+    std::string failure; // empty when there is a texture
+};
+
+std::size_t texelCount(const TextureImage& image) {
+    return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
+
+// What texel `i` of a picture as large as `like` shows, in [0, 1].
+glm::vec4 texelOf(const TextureImage& image, const TextureImage& like, std::size_t i) {
+    const std::size_t x = i % like.width * image.width / like.width;
+    const std::size_t y = i / like.width * image.height / like.height;
+    const std::size_t texel = y * image.width + x;
+    return image.floats.empty() ? glm::vec4(image.bytes[texel]) / 255.0f : image.floats[texel];
+}
+
+bool hasAlpha(const TextureImage& image) {
+    return std::ranges::any_of(image.bytes, [](const glm::u8vec4& texel) { return texel.a < 255; }) ||
+           std::ranges::any_of(image.floats, [](const glm::vec4& texel) { return texel.a < 1.0f; });
+}
+
+// Enlarges `image` to the size of `other` where that one has more texels.
+void enlarge(TextureImage& image, const TextureImage& other) {
+    if (texelCount(image) >= texelCount(other))
+        return;
+    TextureImage larger;
+    larger.width = other.width;
+    larger.height = other.height;
+    for (std::size_t i = 0; i < texelCount(other); ++i) {
+        const glm::vec4 texel = texelOf(image, other, i);
+        if (image.floats.empty())
+            larger.bytes.emplace_back(glm::round(255.0f * texel));
+        else
+            larger.floats.push_back(texel);
+    }
+    image = std::move(larger);
+}
+
+void overlay(TextureImage& image, const TextureImage& over, int channel) {
+    enlarge(image, over);
+    const int from = hasAlpha(over) ? 3 : 0;
+    for (std::size_t i = 0; i < texelCount(image); ++i) {
+        const float value = texelOf(over, image, i)[from];
+        if (image.floats.empty())
+            image.bytes[i][channel] =
+                static_cast<glm::u8>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+        else
+            image.floats[i][channel] = value;
+    }
+}
+
+DecodedTexture whiteTexel() {
+    DecodedTexture white;
+    white.image.width = 1;
+    white.image.height = 1;
+    white.image.bytes = {glm::u8vec4(255)};
+    return white;
+}
+
+DecodedTexture decode(const TextureSource& source) {
+    try {
+        return source.read == nullptr ? whiteTexel() : decodeTexture(source.read(), source.ending);
+    } catch (const TextureFailure& failure) {
+        throw TextureFailure(source.name + ' ' + failure.what());
+    }
+}
+
+Loaded load(const TextureSource& source) {
+    try {
+        DecodedTexture texture = decode(source);
+        for (const TextureOverlay& over : source.overlays)
+            overlay(texture.image, decode(over.source).image, over.channel);
+        return {std::move(texture), ""};
+    } catch (const TextureFailure& failure) {
+        return {{}, failure.what()};
+    }
+}
+
+class TextureLoader {
+  public:
+    TextureLoader(Scene& scene, InputFile& file, const std::vector<TextureSource>& sources)
+        : scene_(scene), file_(file), sources_(sources), newImage_(sources.size(), kUnused),
+          isLinear_(sources.size(), false) {}
+
+    void load(bool allowMissing) {
+        dropUnusedMaterials();
+        loadImages(allowMissing);
+        keepTextures();
+    }
+
+  private:
+    void dropUnusedMaterials() {
+        std::vector<bool> used(scene_.materials.size(), false);
+        for (const std::uint32_t material : scene_.triangleMaterial) {
+            if (material != kNoMaterial)
+                used[material] = true;
+        }
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            for (TextureRef* ref : texturesOf(scene_.materials[i])) {
+                if (!used[i])
+                    *ref = TextureRef();
+                else if (ref->texture != kNoTexture)
+                    refs_.push_back(ref);
+            }
+        }
+    }
+
+    void loadImages(bool allowMissing) {
+        std::vector<std::uint32_t> wanted;
+        for (const TextureRef* ref : refs_)
+            wanted.push_back(scene_.textures[ref->texture].image);
+        std::ranges::sort(wanted);
+        wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
+
+        std::vector<Loaded> loaded(wanted.size());
+        tbb::parallel_for(std::size_t{0}, wanted.size(),
+                          [&](std::size_t i) { loaded[i] = metamarch::load(sources_[wanted[i]]); });
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (!loaded[i].failure.empty() && !allowMissing)
+                file_.refuse(loaded[i].failure);
+            if (!loaded[i].failure.empty()) {
+                file_.warn(loaded[i].failure + "; its uses are left out");
+                continue;
+            }
+            newImage_[wanted[i]] = static_cast<std::uint32_t>(scene_.images.size());
+            isLinear_[wanted[i]] = loaded[i].texture.isLinear;
+            scene_.images.push_back(std::move(loaded[i].texture.image));
+            scene_.images.back().name = sources_[wanted[i]].name;
+        }
+    }
+
+    void keepTextures() {
+        std::vector<std::uint32_t> newTexture(scene_.textures.size(), kUnused);
+        std::vector<Texture> kept;
+        for (TextureRef* ref : refs_) {
+            const Texture& texture = scene_.textures[ref->texture];
+            if (newImage_[texture.image] == kUnused) {
+                *ref = TextureRef();
+                continue;
+            }
+            std::uint32_t& index = newTexture[ref->texture];
+            if (index == kUnused) {
+                index = static_cast<std::uint32_t>(kept.size());
+                kept.push_back(texture);
+                kept.back().image = newImage_[texture.image];
+            }
+            ref->isSrgb = ref->isSrgb && !isLinear_[texture.image];
+            ref->texture = index;
+        }
+        scene_.textures = std::move(kept);
+    }
+
+    Scene& scene_;
+    InputFile& file_;
+    const std::vector<TextureSource>& sources_;
+    std::vector<TextureRef*> refs_;       // of the materials in use
+    std::vector<std::uint32_t> newImage_; // [source], into scene_.images, or kUnused
+    std::vector<bool> isLinear_;          // [source]
+};
+
+} // namespace
+
+void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource>& sources,
+                  bool allowMissing) {
+    TextureLoader(scene, file, sources).load(allowMissing);
+}
+
+TextureSource fileSource(const InputFile& file, const std::string& name) {
+    const auto read = [&file, name] {
+        if (const std::string reason = file.whyNotReadable(name); !reason.empty())
+            throw TextureFailure(reason);
+        std::optional<std::vector<unsigned char>> bytes = readBytes(file.companion(name));
+        if (!bytes)
+            throw TextureFailure("cannot be read");
+        return std::move(*bytes);
+    };
+    return {"texture '" + name + "'", lowerCaseEnding(name), read};
+}
+
+} // namespace metamarch

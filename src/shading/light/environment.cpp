@@ -1,0 +1,128 @@
+#include "metamarch/shading/light/environment.h"
+
+#include "metamarch/error/error.h"
+#include "metamarch/image/image_file.h"
+#include "metamarch/shared/math.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// Where red, green and blue lie; grey is all of them.
+std::array<std::size_t, 3> colorChannels(const Image& image, const std::filesystem::path& file) {
+    const auto red = image.findChannel("R");
+    const auto green = image.findChannel("G");
+    const auto blue = image.findChannel("B");
+    if (red && green && blue)
+        return {*red, *green, *blue};
+    const auto grey = image.findChannel("Y");
+    if (grey || image.channels.size() == 1)
+        return {grey.value_or(0), grey.value_or(0), grey.value_or(0)};
+    throw Error(ErrorKind::inputRefused,
+                fmt::format("{}: an environment has channels R, G and B, or Y", file.string()));
+}
+
+bool isEncoded(const Image& image) {
+    return std::ranges::find(image.attributes, std::pair<std::string, std::string>(
+                                                   "oiio:ColorSpace", "sRGB")) != image.attributes.end();
+}
+
+// The inverse of IEC 61966-2-1's curve.
+float decoded(float value) {
+    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+[[noreturn]] void refuseTexel(const Environment& environment, std::size_t index,
+                              const std::filesystem::path& file, const std::string& reason) {
+    const glm::vec3& texel = environment.texels[index];
+    throw Error(ErrorKind::inputRefused,
+                fmt::format("{}: texel {},{} has a radiance of {} {} {}; {}", file.string(),
+                            index % environment.width, index / environment.width, texel.r, texel.g, texel.b,
+                            reason));
+}
+
+// Light there is, though Rec. 709's primaries cannot mix it. Of all visible light monochromatic cyan asks for
+// the least of one of them, and there it is about as much below 0 as another is above.
+bool isOutsideGamut(const glm::vec3& texel) {
+    return luminance(texel) > 0.0f && -smallest(texel) <= largest(texel);
+}
+
+// Whether a picture that was scaled may be as negative as that next to its light. Lanczos's filter of three
+// lobes, the deepest in use, leaves 0.61 of a point of light in the two texels beside it and -0.135 in the
+// next.
+bool isUndershoot(const Environment& environment, std::size_t index) {
+    constexpr int kReach = 3;
+    constexpr float kDepth = 0.25f;
+    const int width = static_cast<int>(environment.width);
+    const int height = static_cast<int>(environment.height);
+    const int column = static_cast<int>(index % environment.width);
+    const int row = static_cast<int>(index / environment.width);
+    glm::vec3 brightest(0.0f); // in each channel
+    for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, height - 1); ++y) {
+        for (int x = column - kReach; x <= column + kReach; ++x) {
+            const int wrapped = (x % width + width) % width;
+            brightest =
+                glm::max(brightest, environment.texels[static_cast<std::size_t>(y) * environment.width +
+                                                       static_cast<std::size_t>(wrapped)]);
+        }
+    }
+    return glm::all(glm::greaterThanEqual(environment.texels[index], -kDepth * brightest));
+}
+
+// Sets negative channels to 0 where they stand for light, refuses the rest.
+void mendNegativeLight(Environment& environment, const std::filesystem::path& file) {
+    std::vector<std::size_t> mended;
+    std::size_t outsideGamut = 0;
+    for (std::size_t i = 0; i < environment.texels.size(); ++i) {
+        const glm::vec3& texel = environment.texels[i];
+        if (smallest(texel) >= 0.0f)
+            continue;
+        if (isOutsideGamut(texel))
+            ++outsideGamut;
+        else if (!isUndershoot(environment, i))
+            refuseTexel(environment, i, file,
+                        "light is not negative, but in colours outside Rec. 709 and beside light four times "
+                        "as bright");
+        mended.push_back(i);
+    }
+    // Afterwards: each was judged by the others as the file has them.
+    for (const std::size_t i : mended)
+        environment.texels[i] = glm::max(environment.texels[i], 0.0f);
+    if (!mended.empty())
+        environment.warnings.push_back(
+            fmt::format("{}: channels below 0 are taken for 0; texels that have them: {} ({} colours outside "
+                        "Rec. 709, {} undershoots of a filter beside brighter light)",
+                        file.string(), mended.size(), outsideGamut, mended.size() - outsideGamut));
+}
+
+} // namespace
+
+Environment loadEnvironment(const std::filesystem::path& file) {
+    const Image image = readImage(file);
+    const std::array<std::size_t, 3> channels = colorChannels(image, file);
+    const bool encoded = isEncoded(image);
+    Environment environment;
+    environment.width = static_cast<std::uint32_t>(image.width);
+    environment.height = static_cast<std::uint32_t>(image.height);
+    environment.texels.reserve(image.pixelCount());
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        glm::vec3 texel;
+        for (int c = 0; c < 3; ++c) {
+            const float value =
+                image.pixels[i * image.channels.size() + channels[static_cast<std::size_t>(c)]];
+            texel[c] = encoded ? decoded(value) : value;
+        }
+        environment.texels.push_back(texel);
+        if (!(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b)))
+            refuseTexel(environment, i, file, "light is finite");
+    }
+    mendNegativeLight(environment, file);
+    return environment;
+}
+
+} // namespace metamarch

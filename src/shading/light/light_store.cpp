@@ -1,0 +1,175 @@
+#include "metamarch/shading/light/light_store.h"
+
+#include "metamarch/shading/light/weighted_table.h"
+#include "metamarch/shared/hit_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace metamarch {
+namespace {
+
+// Of each kind of light; the weight of light sampling is half by power, half alike for every kind there is,
+// so that no kind drowns the others.
+struct Weights {
+    std::vector<double> emitters;
+    std::vector<double> lights;
+    double environment = 0.0;
+};
+
+double areaOf(const Emitter& emitter) {
+    const glm::dvec3 e1 = glm::dvec3(emitter.v1) - glm::dvec3(emitter.v0);
+    const glm::dvec3 e2 = glm::dvec3(emitter.v2) - glm::dvec3(emitter.v0);
+    return 0.5 * glm::length(glm::cross(e1, e2));
+}
+
+LightRecord recordOf(const PunctualLight& light) {
+    LightRecord record{};
+    record.position = light.position;
+    record.strength = light.color * light.intensity;
+    switch (light.type) {
+    case PunctualLight::Type::directional:
+        record.kind = kLightDirectional;
+        record.direction = -light.direction;
+        break;
+    case PunctualLight::Type::point:
+        record.kind = kLightPoint;
+        record.direction = light.direction;
+        break;
+    case PunctualLight::Type::spot: {
+        record.kind = kLightSpot;
+        record.direction = light.direction;
+        const glm::vec2 falloff =
+            makeSpotFalloff(std::cos(light.innerConeAngle), std::cos(light.outerConeAngle));
+        record.scale = falloff.x;
+        record.offset = falloff.y;
+        break;
+    }
+    }
+    return record;
+}
+
+// Watts that reach a scene of that radius, about.
+double powerOf(const LightRecord& light, const double radius) {
+    const double strength = luminance(light.strength);
+    switch (light.kind) {
+    case kLightDirectional:
+        return strength * M_PI * radius * radius;
+    case kLightDisc:
+        return strength * 2.0 * M_PI * light.scale * M_PI * radius * radius;
+    default:
+        return strength * 4.0 * M_PI;
+    }
+}
+
+void addEmitters(const Scene& scene, const std::span<const glm::vec3> meanEmission, ShadingScene& target,
+                 Weights& weights) {
+    for (std::uint32_t triangleId = 0; triangleId < scene.triangles.size(); ++triangleId) {
+        const std::uint32_t materialId = target.surfaces[triangleId].material;
+        const double strength = luminance(meanEmission[materialId]);
+        const glm::uvec3 corners = scene.triangles[triangleId];
+        const Emitter emitter{scene.positions[corners.x], triangleId, scene.positions[corners.y], materialId,
+                              scene.positions[corners.z], 0};
+        const vec3 normal = scaledNormal(emitter.v0, emitter.v1, emitter.v2);
+        const bool isSolid = largest(abs(normal)) >= kSmallestNormal;
+        if (strength > 0.0 && isSolid) {
+            const double sides =
+                (target.materials[materialId].flags & kMaterialDoubleSided) != 0u ? 2.0 : 1.0;
+            target.emitters.push_back(emitter);
+            weights.emitters.push_back(strength * M_PI * sides * areaOf(emitter));
+        }
+    }
+}
+
+void addEnvironment(const Environment& environment, ShadingScene& target, Weights& weights,
+                    const double radius) {
+    for (const glm::vec3& texel : environment.texels) {
+        target.environment.emplace_back(texel, 0.0f);
+    }
+    target.settings.environmentWidth = environment.width;
+    target.settings.environmentHeight = environment.height;
+    double sum = 0.0;
+    double area = 0.0;
+    for (std::uint32_t y = 0; y < environment.height; ++y) {
+        const double sine = std::sin(M_PI * (y + 0.5) / environment.height);
+        for (std::uint32_t x = 0; x < environment.width; ++x) {
+            sum += luminance(environment.texels[std::size_t{y} * environment.width + x]) * sine;
+            area += sine;
+        }
+    }
+    weights.environment = sum / area * target.settings.environmentScale * 4.0 * M_PI * M_PI * radius * radius;
+    target.features |= kFeatureEnvironment;
+}
+
+// The probability of each light, in the table's order.
+std::vector<double> probabilities(const Weights& weights) {
+    const double emitters = std::accumulate(weights.emitters.begin(), weights.emitters.end(), 0.0);
+    const double lights = std::accumulate(weights.lights.begin(), weights.lights.end(), 0.0);
+    const double all = emitters + lights + weights.environment;
+    const double kinds = (emitters > 0.0) + (lights > 0.0) + (weights.environment > 0.0);
+    const auto share = [&](const double weight, const double kind) {
+        return weight > 0.0 ? 0.5 * weight / all + 0.5 * weight / kind / kinds : 0.0;
+    };
+    std::vector<double> result;
+    for (const double weight : weights.emitters) {
+        result.push_back(share(weight, emitters));
+    }
+    for (const double weight : weights.lights) {
+        result.push_back(share(weight, lights));
+    }
+    result.push_back(share(weights.environment, weights.environment));
+    return result;
+}
+
+} // namespace
+
+void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
+               const Surroundings& surroundings, const std::span<const glm::vec3> meanEmission,
+               ShadingScene& target) {
+    const Bounds bounds = boundsOf(scene);
+    const double radius = scene.triangles.empty() ? 1.0 : 0.5 * glm::distance(bounds.lo, bounds.hi);
+    PathSettings& settings = target.settings;
+    settings.background = surroundings.background;
+    settings.environmentCosine = std::cos(surroundings.rotation);
+    settings.environmentSine = std::sin(surroundings.rotation);
+    settings.environmentScale = surroundings.intensity;
+    settings.sunIndex = kNoSun;
+
+    Weights weights;
+    addEmitters(scene, meanEmission, target, weights);
+    for (const PunctualLight& light : lights) {
+        target.lights.push_back(recordOf(light));
+    }
+    if (surroundings.sun) {
+        settings.sunIndex = static_cast<std::uint32_t>(target.lights.size());
+        target.lights.push_back(*surroundings.sun);
+    }
+    for (const LightRecord& light : target.lights) {
+        weights.lights.push_back(powerOf(light, radius));
+    }
+    if (surroundings.environment) {
+        addEnvironment(*surroundings.environment, target, weights, radius);
+    }
+
+    const std::vector<double> chances = probabilities(weights);
+    const bool hasLight = std::ranges::any_of(chances, [](const double chance) { return chance > 0.0; });
+    settings.emitterCount = static_cast<std::uint32_t>(target.emitters.size());
+    settings.punctualCount = static_cast<std::uint32_t>(target.lights.size());
+    settings.lightCount = static_cast<std::uint32_t>(chances.size());
+    settings.environmentProbability = static_cast<float>(chances.back());
+    target.features |= hasLight ? kFeatureLights : 0u;
+    const std::vector<float> rounded(chances.begin(), chances.end());
+    target.tables = makeWeightedTable(rounded);
+    if (surroundings.environment) {
+        const EnvironmentTables map = makeEnvironmentTables(*surroundings.environment);
+        target.tables.insert(target.tables.end(), map.rows.begin(), map.rows.end());
+        target.tables.insert(target.tables.end(), map.columns.begin(), map.columns.end());
+    }
+    for (std::size_t i = 0; i < target.emitters.size(); ++i) {
+        const double density = chances[i] / areaOf(target.emitters[i]); // the same for all of a material
+        target.materials[target.emitters[i].material].emissionDensity = static_cast<float>(density);
+    }
+}
+
+} // namespace metamarch

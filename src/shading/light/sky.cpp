@@ -1,0 +1,206 @@
+#include "metamarch/shading/light/sky.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace metamarch {
+namespace {
+
+using glm::dvec3;
+
+// Lengths in kilometres, coefficients per kilometre.
+constexpr double kGroundRadius = 6360.0;
+constexpr double kTopRadius = 6460.0;
+constexpr double kAtmosphereHeight = kTopRadius - kGroundRadius;
+constexpr double kEyeHeight = 0.002;
+const dvec3 kRayleigh(5.802e-3, 13.558e-3, 33.1e-3); // scattering at the ground
+constexpr double kRayleighHeight = 8.0;
+constexpr double kMieScattering = 3.996e-3;
+constexpr double kMieExtinction = 8.396e-3;
+constexpr double kMieHeight = 1.2;
+constexpr double kMieAsymmetry = 0.8;
+const dvec3 kOzone(0.650e-3, 1.881e-3, 0.085e-3); // absorption where it is densest
+constexpr double kOzoneCentre = 25.0;
+constexpr double kOzoneHalfWidth = 15.0;
+
+constexpr double kSunRadius = 0.2665 * M_PI / 180.0;
+constexpr double kSunIrradiance = M_PI; // outside the atmosphere, in each colour
+constexpr int kSteps = 48;              // through the air along a line of sight
+constexpr int kTableSteps = 256;        // along a ray of the sun
+
+struct Medium {
+    double rayleigh; // relative to the ground
+    double mie;      // the same, times haze
+    dvec3 extinction;
+};
+
+class Atmosphere {
+  public:
+    explicit Atmosphere(double haze);
+
+    // What the air lets pass from a height above the ground to space, at this cosine to the vertical; 0
+    // through the ground.
+    dvec3 transmittance(double height, double cosine) const;
+    // Radiance scattered towards `position`, measured from the centre of the earth, from `direction`.
+    dvec3 scattered(const dvec3& position, const dvec3& direction, const dvec3& sun) const;
+
+  private:
+    static constexpr int kHeights = 64;
+    static constexpr int kAngles = 256;
+
+    Medium mediumAt(double height) const;
+    dvec3 marchedTransmittance(double height, double cosine) const;
+
+    double haze_;
+    std::vector<dvec3> transmittances_; // [height][angle], both denser where more changes
+};
+
+// Of the horizon, seen from a height; negative.
+double horizonCosine(double height) {
+    const double ratio = kGroundRadius / (kGroundRadius + height);
+    return -std::sqrt(1.0 - ratio * ratio);
+}
+
+// The first distance beyond 0 at which the ray leaves or enters the sphere around the origin.
+std::optional<double> distanceToSphere(const dvec3& position, const dvec3& direction, double radius) {
+    const double b = glm::dot(position, direction);
+    const double discriminant = b * b - glm::dot(position, position) + radius * radius;
+    if (discriminant < 0.0) {
+        return std::nullopt;
+    }
+    const double root = std::sqrt(discriminant);
+    const double distance = -b - root > 0.0 ? -b - root : -b + root;
+    return distance > 0.0 ? std::optional(distance) : std::nullopt;
+}
+
+Medium Atmosphere::mediumAt(double height) const {
+    const double rayleigh = std::exp(-height / kRayleighHeight);
+    const double mie = haze_ * std::exp(-height / kMieHeight);
+    const double ozone = std::max(1.0 - std::abs(height - kOzoneCentre) / kOzoneHalfWidth, 0.0);
+    return {rayleigh, mie, kRayleigh * rayleigh + dvec3(kMieExtinction * mie) + kOzone * ozone};
+}
+
+double heightOf(const dvec3& position) { return std::max(glm::length(position) - kGroundRadius, 0.0); }
+
+dvec3 Atmosphere::marchedTransmittance(double height, double cosine) const {
+    const dvec3 position(0.0, kGroundRadius + height, 0.0);
+    const dvec3 direction(std::sqrt(1.0 - cosine * cosine), cosine, 0.0);
+    const double step = distanceToSphere(position, direction, kTopRadius).value_or(0.0) / kTableSteps;
+    dvec3 depth(0.0);
+    for (int i = 0; i < kTableSteps; ++i) {
+        depth += mediumAt(heightOf(position + direction * (step * (i + 0.5)))).extinction * step;
+    }
+    return glm::exp(-depth);
+}
+
+Atmosphere::Atmosphere(double haze) : haze_(haze), transmittances_(std::size_t{kHeights} * kAngles) {
+    tbb::parallel_for(0, kHeights, [&](int row) {
+        const double height = kAtmosphereHeight * std::pow(row / (kHeights - 1.0), 2.0);
+        const double horizon = horizonCosine(height);
+        for (int column = 0; column < kAngles; ++column) {
+            const double above = std::pow(column / (kAngles - 1.0), 2.0);
+            transmittances_[static_cast<std::size_t>(row * kAngles + column)] =
+                marchedTransmittance(height, horizon + (1.0 - horizon) * above);
+        }
+    });
+}
+
+dvec3 Atmosphere::transmittance(double height, double cosine) const {
+    const double horizon = horizonCosine(height);
+    if (cosine < horizon) {
+        return dvec3(0.0);
+    }
+    const double row = std::sqrt(std::min(height / kAtmosphereHeight, 1.0)) * (kHeights - 1);
+    const double column = std::sqrt((cosine - horizon) / (1.0 - horizon)) * (kAngles - 1);
+    const int y = std::min(static_cast<int>(row), kHeights - 2);
+    const int x = std::min(static_cast<int>(column), kAngles - 2);
+    const dvec3* corner = &transmittances_[static_cast<std::size_t>(y * kAngles + x)];
+    const dvec3 lower = glm::mix(corner[0], corner[1], column - x);
+    const dvec3 upper = glm::mix(corner[kAngles], corner[kAngles + 1], column - x);
+    return glm::mix(lower, upper, row - y);
+}
+
+dvec3 Atmosphere::scattered(const dvec3& position, const dvec3& direction, const dvec3& sun) const {
+    const double cosine = glm::dot(direction, sun);
+    const double rayleighPhase = 3.0 / (16.0 * M_PI) * (1.0 + cosine * cosine);
+    // W. Cornette, J. Shanks, "Physically Reasonable Analytic Expression for the Single-Scattering Phase
+    // Function", 1992.
+    const double g = kMieAsymmetry;
+    const double miePhase = 3.0 / (8.0 * M_PI) * (1.0 - g * g) * (1.0 + cosine * cosine) /
+                            ((2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
+    const double reach = distanceToSphere(position, direction, kTopRadius).value_or(0.0);
+    dvec3 radiance(0.0);
+    dvec3 passed(1.0);
+    double start = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        // Short steps first: the air is dense there.
+        const double part = (i + 1.0) / kSteps;
+        const double end = reach * part * part;
+        const double step = end - start;
+        const dvec3 here = position + direction * (start + 0.5 * step);
+        const double height = heightOf(here);
+        const Medium medium = mediumAt(height);
+        const dvec3 through = glm::exp(-medium.extinction * step);
+        const dvec3 source =
+            (kRayleigh * (medium.rayleigh * rayleighPhase) + dvec3(kMieScattering * medium.mie * miePhase)) *
+            transmittance(height, glm::dot(here, sun) / glm::length(here));
+        // The integral over the step of light that the step itself dims.
+        radiance += passed * source * (dvec3(1.0) - through) / medium.extinction;
+        passed *= through;
+        start = end;
+    }
+    return radiance * kSunIrradiance;
+}
+
+} // namespace
+
+Sky makeSky(const SkySettings& settings) {
+    const Atmosphere atmosphere(settings.haze);
+    const dvec3 eye(0.0, kGroundRadius + kEyeHeight, 0.0);
+    const double level = std::cos(settings.sunElevation);
+    const dvec3 sun(level * std::cos(settings.sunAzimuth), std::sin(settings.sunElevation),
+                    level * std::sin(settings.sunAzimuth));
+    const dvec3 sunlight = atmosphere.transmittance(kEyeHeight, sun.y) * kSunIrradiance;
+
+    Sky sky;
+    Environment& map = sky.environment;
+    map.width = settings.width;
+    map.height = settings.width / 2;
+    map.texels.resize(std::size_t{map.width} * map.height);
+    const std::uint32_t skyRows = map.height / 2;
+    std::vector<dvec3> irradianceOfRow(skyRows, dvec3(0.0));
+    tbb::parallel_for(std::uint32_t{0}, skyRows, [&](std::uint32_t y) {
+        const double polar = M_PI * (y + 0.5) / map.height;
+        const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * std::sin(polar);
+        for (std::uint32_t x = 0; x < map.width; ++x) {
+            const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
+            const dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                  std::sin(polar) * std::sin(azimuth));
+            const dvec3 radiance = atmosphere.scattered(eye, direction, sun);
+            map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiance);
+            irradianceOfRow[y] += radiance * (texelArea * direction.y);
+        }
+    });
+    dvec3 irradiance = sunlight * std::max(sun.y, 0.0);
+    for (const dvec3& row : irradianceOfRow) {
+        irradiance += row;
+    }
+    const glm::vec3 ground(irradiance * dvec3(settings.groundAlbedo) / M_PI);
+    std::fill(map.texels.begin() + static_cast<std::ptrdiff_t>(std::size_t{skyRows} * map.width),
+              map.texels.end(), ground);
+
+    const double size = 2.0 * std::pow(std::sin(kSunRadius / 2.0), 2.0); // 1 - cosine
+    sky.sun.position = glm::vec3(0.0f);
+    sky.sun.kind = kLightDisc;
+    sky.sun.direction = glm::vec3(sun);
+    sky.sun.scale = static_cast<float>(size);
+    sky.sun.strength = glm::vec3(sunlight / (2.0 * M_PI * size));
+    sky.sun.offset = 0.0f;
+    return sky;
+}
+
+} // namespace metamarch

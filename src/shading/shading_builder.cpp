@@ -1,0 +1,178 @@
+#include "metamarch/shading/shading_builder.h"
+
+#include "metamarch/shading/light/light_store.h"
+#include "metamarch/shading/texture/texel_store.h"
+#include "metamarch/shared/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// What leaves `distance` of the volume is `color`: Beer and Lambert's law. Black leaves nothing; 2^-20 of the
+// light stands for it.
+glm::vec3 absorptionOf(const Material& material) {
+    constexpr float kLeastColor = 0x1p-20f;
+    if (material.thicknessFactor == 0.0f || !(material.attenuationDistance < 1e30f)) {
+        return glm::vec3(0.0f);
+    }
+    return -glm::log(glm::max(material.attenuationColor, glm::vec3(kLeastColor))) /
+           material.attenuationDistance;
+}
+
+std::uint32_t flagsOf(const Material& material, const bool isSingleScatter) {
+    return (material.thicknessFactor > 0.0f ? kSurfaceVolume : 0u) |
+           (isSingleScatter ? kSurfaceSingleScatter : 0u) |
+           (material.doubleSided ? kMaterialDoubleSided : 0u) | (material.unlit ? kMaterialUnlit : 0u) |
+           (material.alphaMode == AlphaMode::mask ? kMaterialMask : 0u) |
+           (material.alphaMode == AlphaMode::blend ? kMaterialBlend : 0u);
+}
+
+std::uint32_t featuresOf(const Material& m) {
+    const auto feature = [](const bool isUsed, const std::uint32_t bit) { return isUsed ? bit : 0u; };
+    const bool hasNormalMap =
+        m.normalTexture.texture != kNoTexture || m.clearcoatNormalTexture.texture != kNoTexture;
+    const bool isPlainSpecular = m.specularFactor == 1.0f && m.specularColorFactor == glm::vec3(1.0f) &&
+                                 m.specularTexture.texture == kNoTexture &&
+                                 m.specularColorTexture.texture == kNoTexture;
+    const bool hasFacets = m.metallicFactor > 0.0f || m.specularFactor > 0.0f ||
+                           m.transmissionFactor > 0.0f || m.sheenColorFactor != glm::vec3(0.0f) ||
+                           m.iridescenceFactor > 0.0f;
+    return feature(hasFacets, kFeatureFacets) | feature(m.clearcoatFactor > 0.0f, kFeatureCoat) |
+           feature(m.sheenColorFactor != glm::vec3(0.0f), kFeatureSheen) |
+           feature(m.transmissionFactor > 0.0f, kFeatureTransmission) |
+           feature(m.transmissionFactor > 0.0f && m.thicknessFactor > 0.0f, kFeatureVolume) |
+           feature(m.diffuseTransmissionFactor > 0.0f, kFeatureDiffuseTransmission) |
+           feature(m.diffuseTransmissionFactor > 0.0f && m.thicknessFactor > 0.0f,
+                   kFeatureTransmission | kFeatureVolume) |
+           feature(m.iridescenceFactor > 0.0f, kFeatureIridescence) |
+           feature(hasNormalMap, kFeatureNormalMaps) |
+           feature(m.anisotropyStrength > 0.0f, kFeatureAnisotropy) |
+           feature(m.alphaMode != AlphaMode::opaque, kFeatureAlpha) |
+           feature(m.dispersion > 0.0f && m.thicknessFactor > 0.0f && m.transmissionFactor > 0.0f,
+                   kFeatureDispersion) |
+           feature(!isPlainSpecular, kFeatureSpecular) | feature(m.unlit, kFeatureUnlit);
+}
+
+MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelStore& texels) {
+    MaterialRecord record{};
+    record.baseColor = glm::vec3(m.baseColorFactor);
+    record.alpha = m.baseColorFactor.a;
+    record.emission = m.emissiveFactor * m.emissiveStrength;
+    record.metallic = m.metallicFactor;
+    record.roughness = m.roughnessFactor;
+    record.ior = m.ior;
+    record.flags = flagsOf(m, options.isSingleScatter);
+    record.baseColorTexture = texels.add(
+        m.baseColorTexture, m.alphaMode == AlphaMode::opaque ? ColorWeight::equal : ColorWeight::byAlpha);
+    record.metallicRoughnessTexture = texels.add(m.metallicRoughnessTexture);
+    record.normalTexture = texels.add(m.normalTexture);
+    record.emissionTexture = texels.add(m.emissiveTexture);
+    record.normalScale = m.normalScale;
+    record.alphaCutoff = m.alphaCutoff;
+    record.transmission = m.transmissionFactor;
+    record.dispersion = m.dispersion;
+    record.absorption = absorptionOf(m);
+    record.transmissionTexture = texels.add(m.transmissionTexture);
+    record.specularColor = m.specularColorFactor;
+    record.specular = m.specularFactor;
+    record.sheenColor = m.sheenColorFactor;
+    record.sheenRoughness = m.sheenRoughnessFactor;
+    record.diffuseTransmissionColor = m.diffuseTransmissionColorFactor;
+    record.diffuseTransmission = m.diffuseTransmissionFactor;
+    record.coat = m.clearcoatFactor;
+    record.coatRoughness = m.clearcoatRoughnessFactor;
+    record.coatNormalScale = m.clearcoatNormalScale;
+    record.anisotropy = m.anisotropyStrength;
+    record.iridescence = m.iridescenceFactor;
+    record.iridescenceIor = m.iridescenceIor;
+    record.iridescenceThicknessMinimum = m.iridescenceThicknessMinimum;
+    record.iridescenceThicknessMaximum = m.iridescenceThicknessMaximum;
+    record.anisotropyCosine = std::cos(m.anisotropyRotation);
+    record.anisotropySine = std::sin(m.anisotropyRotation);
+    record.diffuseTransmissionTexture = texels.add(m.diffuseTransmissionTexture);
+    record.diffuseTransmissionColorTexture = texels.add(m.diffuseTransmissionColorTexture);
+    record.specularTexture = texels.add(m.specularTexture);
+    record.specularColorTexture = texels.add(m.specularColorTexture);
+    record.sheenColorTexture = texels.add(m.sheenColorTexture);
+    record.sheenRoughnessTexture = texels.add(m.sheenRoughnessTexture);
+    record.coatTexture = texels.add(m.clearcoatTexture);
+    record.coatRoughnessTexture = texels.add(m.clearcoatRoughnessTexture);
+    record.coatNormalTexture = texels.add(m.clearcoatNormalTexture);
+    record.anisotropyTexture = texels.add(m.anisotropyTexture);
+    record.iridescenceTexture = texels.add(m.iridescenceTexture);
+    record.iridescenceThicknessTexture = texels.add(m.iridescenceThicknessTexture);
+    return record;
+}
+
+// What --integrator ao lights: white and diffuse. Holes that a texture cuts are closed: white paint has none.
+Material whitened(const Material& material) {
+    Material white;
+    white.metallicFactor = 0.0f;
+    white.specularFactor = 0.0f;
+    white.doubleSided = material.doubleSided;
+    white.alphaMode = material.alphaMode;
+    white.alphaCutoff = material.alphaCutoff;
+    white.baseColorFactor.a = material.baseColorFactor.a;
+    return white;
+}
+
+// Of triangles that name none.
+Material fallbackMaterial() {
+    Material grey;
+    grey.baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
+    grey.metallicFactor = 0.0f;
+    return grey;
+}
+
+void addSurfaces(const Scene& scene, ShadingScene& target) {
+    const auto fallback = static_cast<std::uint32_t>(scene.materials.size());
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+        const glm::uvec3 corners = scene.triangles[i];
+        target.surfaces.push_back(
+            {corners.x, corners.y, corners.z, std::min(scene.triangleMaterial[i], fallback)});
+    }
+    for (std::size_t i = 0; i < scene.positions.size(); ++i) {
+        const glm::vec2 first = scene.texCoords.empty() ? glm::vec2(0.0f) : scene.texCoords[i];
+        const glm::vec2 second = scene.texCoords1.empty() ? glm::vec2(0.0f) : scene.texCoords1[i];
+        target.vertices.push_back({scene.normals[i], first.x, first.y, second.x, second.y, 0});
+    }
+    if (!scene.colors.empty()) {
+        target.colors = scene.colors;
+        target.features |= kFeatureColors;
+    }
+    if ((target.features & (kFeatureNormalMaps | kFeatureAnisotropy)) != 0u) {
+        target.tangents = scene.tangents;
+        target.tangents.resize(scene.positions.size(), glm::vec4(0.0f));
+    }
+}
+
+} // namespace
+
+ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundings,
+                              const ShadingOptions& options, const std::uint64_t chunkBytes) {
+    ShadingScene target;
+    TexelStore texels(scene, chunkBytes, target);
+    std::vector<Material> materials = scene.materials;
+    materials.push_back(fallbackMaterial());
+    std::vector<glm::vec3> meanEmission;
+    for (const Material& given : materials) {
+        const Material material = options.isWhite ? whitened(given) : given;
+        target.features |= featuresOf(material);
+        target.materials.push_back(recordOf(material, options, texels));
+        const glm::vec3 emission = target.materials.back().emission;
+        // A coat dims the light below it by the angle, which light sampling does not know.
+        const bool isKnown = material.clearcoatFactor == 0.0f && !material.unlit;
+        const glm::vec3 mean = emission * glm::vec3(texels.meanOf(material.emissiveTexture));
+        meanEmission.push_back(isKnown ? mean : glm::vec3(0.0f));
+        target.features |= emission != glm::vec3(0.0f) ? kFeatureEmission : 0u;
+    }
+    texels.addLevels();
+    addSurfaces(scene, target);
+    addLights(options.isWhite ? std::span<const PunctualLight>() : scene.lights, scene, surroundings,
+              meanEmission, target);
+    return target;
+}
+
+} // namespace metamarch

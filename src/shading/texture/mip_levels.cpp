@@ -1,0 +1,112 @@
+#include "metamarch/shading/texture/mip_levels.h"
+
+#include "metamarch/shading/texture/texel_words.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace metamarch {
+namespace {
+
+// The part of its row or column that one texel of the next level covers: from 2 to 4 texels.
+struct Cover {
+    std::uint32_t first;
+    std::uint32_t count;
+    std::array<float, 4> weights; // sum to 1
+};
+
+// A row of `from` texels is as long as one of `to`. Counted in from-ths of a texel of `to` and to-ths of one
+// of `from`, which are the same length, all ends are integers.
+Cover coverOf(const std::uint64_t i, const std::uint64_t from, const std::uint64_t to) {
+    const std::uint64_t begin = i * from;
+    const std::uint64_t end = begin + from;
+    Cover cover{static_cast<std::uint32_t>(begin / to), 0, {}};
+    for (std::uint64_t texel = cover.first; texel * to < end; ++texel) {
+        const std::uint64_t covered = std::min(end, (texel + 1) * to) - std::max(begin, texel * to);
+        cover.weights[cover.count++] = static_cast<float>(covered) / static_cast<float>(from);
+    }
+    return cover;
+}
+
+template <class TexelAt>
+glm::vec4 meanOf(const Cover& columns, const Cover& rows, const ColorWeight weight, const TexelAt& texelAt) {
+    glm::vec3 sum(0.0f);
+    glm::vec3 visible(0.0f);
+    float alpha = 0.0f;
+    for (std::uint32_t j = 0; j < rows.count; ++j) {
+        for (std::uint32_t i = 0; i < columns.count; ++i) {
+            const float part = rows.weights[j] * columns.weights[i];
+            const glm::vec4 texel = texelAt(columns.first + i, rows.first + j);
+            sum += part * glm::vec3(texel);
+            visible += part * texel.a * glm::vec3(texel);
+            alpha += part * texel.a;
+        }
+    }
+    return {weight == ColorWeight::byAlpha && alpha > 0.0f ? visible / alpha : sum, alpha};
+}
+
+template <class TexelAt>
+MipLevel halve(const std::uint32_t width, const std::uint32_t height, const ColorWeight weight,
+               const TexelAt& texelAt) {
+    MipLevel level{std::max(width / 2, 1u), std::max(height / 2, 1u), {}};
+    level.texels.resize(std::size_t{level.width} * level.height);
+    std::vector<Cover> columns;
+    columns.reserve(level.width);
+    for (std::uint32_t x = 0; x < level.width; ++x) {
+        columns.push_back(coverOf(x, width, level.width));
+    }
+    tbb::parallel_for(0u, level.height, [&](const std::uint32_t y) {
+        const Cover rows = coverOf(y, height, level.height);
+        for (std::uint32_t x = 0; x < level.width; ++x) {
+            level.texels[std::size_t{y} * level.width + x] = meanOf(columns[x], rows, weight, texelAt);
+        }
+    });
+    return level;
+}
+
+// Gives texels of which nothing is there the colour of the texel of the next level that covers them, for
+// filters mix in what lies beside a texel.
+void colorHoles(MipLevel& level, const MipLevel& next) {
+    for (std::size_t i = 0; i < level.texels.size(); ++i) {
+        if (level.texels[i].a == 0.0f) {
+            const std::size_t x = i % level.width * next.width / level.width;
+            const std::size_t y = i / level.width * next.height / level.height;
+            level.texels[i] = glm::vec4(glm::vec3(next.texels[y * next.width + x]), 0.0f);
+        }
+    }
+}
+
+} // namespace
+
+std::uint32_t mipLevelCount(const std::uint32_t width, const std::uint32_t height) {
+    return static_cast<std::uint32_t>(std::bit_width(std::max(width, height)));
+}
+
+std::vector<MipLevel> makeMipLevels(const TextureImage& image, const bool isSrgb, const ColorWeight weight) {
+    std::vector<MipLevel> levels;
+    const std::uint32_t count = mipLevelCount(image.width, image.height);
+    levels.reserve(count);
+    while (levels.size() + 1 < count) {
+        if (levels.empty()) {
+            levels.push_back(
+                halve(image.width, image.height, weight, [&](const std::size_t x, const std::size_t y) {
+                    return linearTexel(image, y * image.width + x, isSrgb);
+                }));
+        } else {
+            const MipLevel& last = levels.back();
+            levels.push_back(
+                halve(last.width, last.height, weight, [&](const std::size_t x, const std::size_t y) {
+                    return last.texels[y * last.width + x];
+                }));
+        }
+    }
+    for (std::size_t i = levels.size(); weight == ColorWeight::byAlpha && i-- > 1;) {
+        colorHoles(levels[i - 1], levels[i]);
+    }
+    return levels;
+}
+
+} // namespace metamarch

@@ -1,0 +1,98 @@
+#include "metamarch/shading/texture/texel_words.h"
+
+#include "metamarch/shared/texture.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace metamarch {
+namespace {
+
+// Linear light of the 256 bytes, ascending.
+const std::array<float, 256>& decodedBytes() {
+    static const std::array<float, 256> kDecoded = [] {
+        std::array<float, 256> decoded{};
+        for (std::size_t i = 0; i < decoded.size(); ++i) {
+            decoded[i] = srgbToLinear(glm::vec3(static_cast<float>(i) / 255.0f)).x;
+        }
+        return decoded;
+    }();
+    return kDecoded;
+}
+
+std::uint32_t srgbByte(const float linear) {
+    const auto& decoded = decodedBytes();
+    const auto above = std::ranges::lower_bound(decoded, linear);
+    if (above == decoded.begin()) {
+        return 0;
+    }
+    if (above == decoded.end()) {
+        return 255;
+    }
+    const bool isBelowNearer = linear - *(above - 1) < *above - linear;
+    return static_cast<std::uint32_t>(above - decoded.begin()) - (isBelowNearer ? 1u : 0u);
+}
+
+std::uint32_t plainByte(const float value) {
+    return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+std::uint32_t packed(const glm::uvec4 bytes) {
+    return bytes.r | bytes.g << 8u | bytes.b << 16u | bytes.a << 24u;
+}
+
+std::vector<std::uint32_t> halves(const std::vector<glm::vec4>& texels) {
+    std::vector<std::uint32_t> words;
+    words.reserve(texels.size() * 2);
+    for (const glm::vec4& texel : texels) {
+        constexpr float kLargestHalf = 65504.0f;
+        const glm::vec4 bounded = glm::clamp(texel, glm::vec4(-kLargestHalf), glm::vec4(kLargestHalf));
+        words.push_back(glm::packHalf2x16({bounded.r, bounded.g}));
+        words.push_back(glm::packHalf2x16({bounded.b, bounded.a}));
+    }
+    return words;
+}
+
+} // namespace
+
+glm::vec4 linearTexel(const TextureImage& image, const std::size_t i, const bool isSrgb) {
+    if (isDeep(image)) {
+        const glm::vec4 texel = image.floats[i];
+        return isSrgb ? glm::vec4(srgbToLinear(glm::vec3(texel)), texel.a) : texel;
+    }
+    const glm::u8vec4 texel = image.bytes[i];
+    const glm::vec4 plain = glm::vec4(texel) / 255.0f;
+    if (!isSrgb) {
+        return plain;
+    }
+    const auto& decoded = decodedBytes();
+    return {decoded[texel.r], decoded[texel.g], decoded[texel.b], plain.a};
+}
+
+std::vector<std::uint32_t> wordsOf(const TextureImage& image) {
+    if (isDeep(image)) {
+        return halves(image.floats);
+    }
+    std::vector<std::uint32_t> words;
+    words.reserve(image.bytes.size());
+    for (const glm::u8vec4 texel : image.bytes) {
+        words.push_back(packed(glm::uvec4(texel)));
+    }
+    return words;
+}
+
+std::vector<std::uint32_t> bytesOf(const MipLevel& level, const bool isSrgb) {
+    const auto byteOf = isSrgb ? srgbByte : plainByte;
+    std::vector<std::uint32_t> words;
+    words.reserve(level.texels.size());
+    for (const glm::vec4& texel : level.texels) {
+        words.push_back(packed({byteOf(texel.r), byteOf(texel.g), byteOf(texel.b), plainByte(texel.a)}));
+    }
+    return words;
+}
+
+std::vector<std::uint32_t> halvesOf(const MipLevel& level) { return halves(level.texels); }
+
+} // namespace metamarch

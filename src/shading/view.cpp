@@ -1,0 +1,123 @@
+#include "metamarch/shading/view.h"
+
+#include "metamarch/error/error.h"
+#include "metamarch/scene/choice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace metamarch {
+namespace {
+
+// Half the picture's height at distance 1, of a perspective camera.
+float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
+
+void checkLens(const CameraOptions& options) {
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
+    if (!(options.apertureRadius >= 0.0f && std::isfinite(options.apertureRadius))) {
+        refuse(fmt::format("an aperture's radius of {}: give world units, 0 for a pinhole",
+                           options.apertureRadius));
+    }
+    // Its inverse is to be finite.
+    if (!(options.focusDistance >= std::numeric_limits<float>::min())) {
+        refuse(fmt::format("a focus distance of {}: give world units above 0", options.focusDistance));
+    }
+    if (options.isPanorama && options.apertureRadius > 0.0f) {
+        refuse("a panorama is taken without a lens: leave out the aperture");
+    }
+}
+
+} // namespace
+
+const SceneCamera& selectCamera(const Scene& scene, const std::string& selection) {
+    if (scene.cameras.empty()) {
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("camera {}: the scene has no camera; give eye and target", selection),
+                    {"camera", "eye", "target"});
+    }
+    std::vector<std::string> names;
+    names.reserve(scene.cameras.size());
+    for (const SceneCamera& camera : scene.cameras) {
+        names.push_back(camera.name);
+    }
+    return scene.cameras[chooseIndex("camera", names, selection)];
+}
+
+SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {
+    // In double precision: the difference of two far away points, and the products of tiny or huge vectors.
+    const glm::dvec3 along = glm::dvec3(target) - glm::dvec3(eye);
+    const glm::dvec3 right = glm::cross(along, glm::dvec3(up));
+    if (glm::length(along) == 0.0) {
+        throw Error(ErrorKind::invalidArgument, "eye and target are the same point", {"eye", "target"});
+    }
+    if (glm::length(right) <= 1e-6 * glm::length(along) * glm::length(glm::dvec3(up))) {
+        throw Error(ErrorKind::invalidArgument, "up is zero or along the view; choose another", {"up"});
+    }
+    SceneCamera camera;
+    camera.name = "eye";
+    camera.eye = eye;
+    camera.forward = glm::vec3(glm::normalize(along));
+    camera.up = glm::vec3(glm::normalize(glm::cross(right, along)));
+    camera.verticalFov = kDefaultVerticalFov;
+    return camera;
+}
+
+SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const float aspect,
+                        const glm::vec3 from, const glm::vec3 upwards) {
+    const bool empty = !(bounds.lo.x <= bounds.hi.x);
+    const glm::vec3 lo = empty ? glm::vec3(-0.5f) : bounds.lo;
+    const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
+    const glm::vec3 center = 0.5f * lo + 0.5f * hi;
+    const glm::vec3 size = hi - lo;
+    // The direction is found at the world's origin: a small box far away would round it.
+    SceneCamera camera = lookAt(from, glm::vec3(0.0f), upwards);
+    camera.name = "framed";
+    camera.verticalFov = verticalFov;
+
+    // Every corner of the box within the picture: the farthest distance that one of them asks for.
+    const glm::vec3 right = glm::cross(camera.forward, camera.up);
+    const float slopeUp = halfHeight(verticalFov);
+    const float slopeRight = slopeUp * aspect;
+    float distance = 0.0f;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec3 corner =
+            0.5f * size * glm::vec3(i & 1u ? 1.0f : -1.0f, i & 2u ? 1.0f : -1.0f, i & 4u ? 1.0f : -1.0f);
+        const float nearer = -glm::dot(corner, camera.forward);
+        distance = std::max({distance, nearer + std::abs(glm::dot(corner, camera.up)) / slopeUp,
+                             nearer + std::abs(glm::dot(corner, right)) / slopeRight});
+    }
+    constexpr float kBorder = 1.05f;
+    camera.eye = center - camera.forward * (distance > 0.0f ? distance * kBorder : 1.0f);
+    return camera;
+}
+
+Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const std::uint32_t height,
+                  const CameraOptions& options) {
+    checkLens(options);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const glm::vec3 right = glm::cross(camera.forward, camera.up);
+    Camera result{};
+    result.eye = camera.eye;
+    result.forward = camera.forward;
+    result.width = width;
+    result.height = height;
+    result.pixelFilter = options.pixelFilter;
+    if (options.isPanorama) {
+        result.projection = kProjectionPanorama;
+        result.dirRight = right;
+        result.dirDown = -camera.up;
+        return result;
+    }
+    const bool perspective = camera.projection == SceneCamera::Projection::perspective;
+    const float half = perspective ? halfHeight(camera.verticalFov) : 0.5f * camera.verticalExtent;
+    (perspective ? result.dirRight : result.eyeRight) = right * (half * aspect);
+    (perspective ? result.dirDown : result.eyeDown) = camera.up * -half;
+    result.lensRight = right * options.apertureRadius;
+    result.lensDown = camera.up * -options.apertureRadius;
+    result.inverseFocus = 1.0f / options.focusDistance;
+    return result;
+}
+
+} // namespace metamarch
