@@ -1,8 +1,5 @@
-#include "metamarch/cli/bench_command.h"
-
 #include "metamarch/bench/ray_set.h"
-#include "metamarch/cli/bench_paper_command.h"
-#include "metamarch/cli/bench_traversal_command.h"
+#include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/shaders/shader_library.h"
@@ -38,23 +35,22 @@ std::string notOffered() {
 
 } // namespace
 
-void addBenchCommand(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("bench", "Measure traversals and repeat the paper's experiment");
+Command makeBenchCommand() {
     const auto list = std::make_shared<bool>(false);
-    command->add_flag("--list", *list, "List traversals and ray sets, and what a device cannot run");
-    addBenchTraversalCommand(*command);
-    addBenchPaperCommand(*command);
-    command->footer("Example:\n  build/metamarch bench --list");
-    command->callback([command, list] {
-        if (*list) {
-            fmt::print("traversals: {}\nray sets: {}\n{}", fmt::join(traversals(), " "),
-                       fmt::join(bench::raySetNames(), " "), notOffered());
-        } else if (command->get_subcommands().empty()) {
+    Command command{"bench", "Measure traversals and repeat the paper's experiment", {}, {}, {}, {}};
+    command.settings.flag("list", *list, "List traversals and ray sets, and what a device cannot run");
+    command.footer = "Example:\n  build/metamarch bench --list";
+    command.commands.push_back(makeBenchTraversalCommand());
+    command.commands.push_back(makeBenchPaperCommand());
+    command.run = [list](const SettingList&) {
+        if (!*list) {
             throw Error(ErrorKind::invalidArgument,
                         "bench: say what: traversal or paper, or --list (see `metamarch bench --help`)");
         }
-    });
+        fmt::print("traversals: {}\nray sets: {}\n{}", fmt::join(traversals(), " "),
+                   fmt::join(bench::raySetNames(), " "), notOffered());
+    };
+    return command;
 }
 
 } // namespace metamarch::cli

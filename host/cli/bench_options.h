@@ -2,9 +2,9 @@
 #pragma once
 #include "metamarch/bench/measurement.h"
 #include "metamarch/bench/row.h"
+#include "metamarch/settings/setting.h"
 #include "metamarch/vulkan/device.h"
 
-#include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 
 #include <string>
@@ -13,19 +13,17 @@ namespace metamarch::cli {
 
 class BenchOptions {
   public:
-    void addTo(CLI::App& command);
+    void declare(SettingList& list);
 
-    // Throw Error(invalidArgument) for values out of range.
-    bench::Protocol protocol() const;
-    glm::uvec2 size() const;
+    bench::Protocol protocol() const { return {repeat, seconds}; }
 
     // Of rows measured now, with these options.
     bench::Origin originOf(const std::string& device, const std::string& driver) const;
 
-    std::string sizeText = "320x240";
+    glm::uvec2 size{320, 240};
 
   private:
-    int repeat = 5;
+    std::uint32_t repeat = 5;
     double seconds = 0.5;
 };
 

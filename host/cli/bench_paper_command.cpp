@@ -1,7 +1,7 @@
-#include "metamarch/cli/bench_paper_command.h"
-
 #include "metamarch/bench/paper_bench.h"
 #include "metamarch/cli/bench_options.h"
+#include "metamarch/cli/commands.h"
+#include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
@@ -29,7 +29,7 @@ void makeFolder(const std::filesystem::path& folder) {
 }
 
 void runPaper(const PaperOptions& options) {
-    const glm::uvec2 size = options.bench.size();
+    const glm::uvec2 size = options.bench.size;
     const bench::Protocol protocol = options.bench.protocol();
     const vulkan::Context context;
     const vulkan::Device device(context, options.device);
@@ -60,21 +60,20 @@ void runPaper(const PaperOptions& options) {
 
 } // namespace
 
-void addBenchPaperCommand(CLI::App& bench) {
-    CLI::App* command = bench.add_subcommand(
-        "paper", "The paper's experiment: cow and bunny, stack traversal against meta table");
+Command makeBenchPaperCommand() {
     const auto options = std::make_shared<PaperOptions>();
-    command->add_option("--scenes", options->scenes, "Folder with the models, see tools/fetch_scenes")
-        ->type_name("DIR")
-        ->required();
-    command->add_option("--out", options->out, "Folder for paper.json and paper.csv")
-        ->type_name("DIR")
-        ->required();
-    command->add_option("--device", options->device, "Vulkan device, see `metamarch devices`")
-        ->type_name("INDEX|NAME");
-    options->bench.addTo(*command);
-    command->footer("Example:\n  build/metamarch bench paper --scenes build/scenes --out build/paper");
-    command->callback([options] { runPaper(*options); });
+    Command command{
+        "paper", "The paper's experiment: cow and bunny, stack traversal against meta table", {}, {}, {}, {}};
+    SettingList& settings = command.settings;
+    settings.text("scenes", options->scenes, "Folder with the models, see tools/fetch_scenes")
+        .takes("DIR")
+        .required();
+    settings.text("out", options->out, "Folder for paper.json and paper.csv").takes("DIR").required();
+    declareDevice(settings, options->device);
+    options->bench.declare(settings);
+    command.footer = "Example:\n  build/metamarch bench paper --scenes build/scenes --out build/paper";
+    command.run = [options](const SettingList&) { runPaper(*options); };
+    return command;
 }
 
 } // namespace metamarch::cli

@@ -1,15 +1,14 @@
-#include "metamarch/cli/bench_traversal_command.h"
-
 #include "metamarch/bench/ray_file.h"
 #include "metamarch/bench/results_page.h"
 #include "metamarch/bench/traversal_bench.h"
 #include "metamarch/cli/bench_options.h"
-#include "metamarch/cli/scene_options.h"
-#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/commands.h"
+#include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
 #include "metamarch/scene/import.h"
+#include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
 #ifdef METAMARCH_EMBREE
 #include "metamarch/bench/embree_peer.h"
@@ -33,8 +32,8 @@ struct TraversalOptions {
     std::string jsonPath;
     std::string markdownPath;
     BenchOptions bench;
-    SceneOptions scene;
-    StructureOptions structure;
+    ImportOptions import;
+    AccelerationOptions structure;
 };
 
 // The traversals that are measured on `device`. By default all that it can run, which is said of the others,
@@ -176,8 +175,9 @@ bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDe
 }
 
 void runTraversal(const TraversalOptions& options) {
-    const glm::uvec2 size = options.bench.size();
-    const AccelerationOptions structureOptions = options.structure.parse();
+    const glm::uvec2 size = options.bench.size;
+    const AccelerationOptions& structureOptions = options.structure;
+    checkStructure(structureOptions);
     for (const std::string& traversal : options.traversals) {
         requireTable(structureOptions.table, traversal);
     }
@@ -199,7 +199,7 @@ void runTraversal(const TraversalOptions& options) {
     fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
                bench::definitions(), bench::textHeadings());
     for (const std::string& path : options.scenePaths) {
-        Scene imported = loadScene(path, options.scene.parse());
+        Scene imported = loadScene(path, options.import);
         printWarnings(imported);
         bench::BenchScene scene(std::filesystem::path(path).filename().string(), std::move(imported),
                                 structureOptions);
@@ -220,39 +220,36 @@ void runTraversal(const TraversalOptions& options) {
 
 } // namespace
 
-void addBenchTraversalCommand(CLI::App& bench) {
-    CLI::App* command =
-        bench.add_subcommand("traversal", "Rays per second of every traversal, hits checked first");
+Command makeBenchTraversalCommand() {
     const auto options = std::make_shared<TraversalOptions>();
     options->rays = bench::raySetNames();
-    command->add_option("SCENE", options->scenePaths, "glTF, GLB, OBJ, PLY, OFF or STL files")->required();
-    command
-        ->add_option("--rays", options->rays,
-                     fmt::format("Ray sets ({}) and files of six float32 a ray, origin and direction; with "
-                                 "commas between (default: all sets)",
-                                 fmt::join(options->rays, " ")))
-        ->type_name("NAME|FILE,...")
-        ->delimiter(',');
-    command
-        ->add_option("--traversals", options->traversals,
-                     "Traversals, with commas between (default: all that a device can run, but brute_force)")
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->check(CLI::IsMember(std::vector<std::string>(traversals().begin(), traversals().end())));
-    command
-        ->add_option("--device,--devices", options->devices,
-                     "Vulkan devices, see `metamarch devices`, with commas between, or all")
-        ->type_name("INDEX|NAME,...")
-        ->delimiter(',');
-    command->add_option("--json", options->jsonPath, "Write the rows as JSON")->type_name("FILE");
-    command->add_option("--markdown", options->markdownPath, "Write the rows as a page for a README")
-        ->type_name("FILE");
-    options->bench.addTo(*command);
-    options->scene.addTo(*command);
-    options->structure.addTo(*command);
-    command->footer("Example:\n  build/metamarch bench traversal scenes/objects.glb --rays close,diffuse "
-                    "--traversals meta_table,kd_stack --size 160x120");
-    command->callback([options] { runTraversal(*options); });
+    Command command{"traversal", "Rays per second of every traversal, hits checked first", {}, {}, {}, {}};
+    SettingList& settings = command.settings;
+    settings.positionals("SCENE", options->scenePaths, "glTF, GLB, OBJ, PLY, OFF or STL files");
+    settings
+        .words("rays", options->rays,
+               fmt::format("Ray sets ({}) and files of six float32 a ray, origin and direction; with commas "
+                           "between (default: all sets)",
+                           fmt::join(options->rays, " ")))
+        .takes("NAME|FILE,...");
+    settings
+        .words("traversals", options->traversals,
+               "Traversals, with commas between (default: all that a device can run, but brute_force)")
+        .takes("NAME,...")
+        .oneOf(traversalNames());
+    settings
+        .words("device", options->devices,
+               "Vulkan devices, see `metamarch devices`, with commas between, or all")
+        .takes("INDEX|NAME,...");
+    settings.text("json", options->jsonPath, "Write the rows as JSON").takes("FILE");
+    settings.text("markdown", options->markdownPath, "Write the rows as a page for a README").takes("FILE");
+    options->bench.declare(settings);
+    declareImport(settings, options->import);
+    declareStructure(settings, options->structure);
+    command.footer = "Example:\n  build/metamarch bench traversal scenes/objects.glb --rays close,diffuse "
+                     "--traversals meta_table,kd_stack --size 160x120";
+    command.run = [options](const SettingList&) { runTraversal(*options); };
+    return command;
 }
 
 } // namespace metamarch::cli

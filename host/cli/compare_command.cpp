@@ -1,5 +1,4 @@
-#include "metamarch/cli/compare_command.h"
-
+#include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
 #include "metamarch/image/comparison.h"
 #include "metamarch/image/image_file.h"
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace metamarch::cli {
@@ -92,15 +92,7 @@ std::string failureLine(const Comparison& comparison, const CompareOptions& opti
                        options.bounds.maxAbs);
 }
 
-void checkBound(const char* option, double value) {
-    if (!(value >= 0.0)) // NaN too
-        throw Error(ErrorKind::invalidArgument,
-                    fmt::format("{}: {} is no bound; give 0 or more", option, value));
-}
-
 void runCompare(const CompareOptions& options) {
-    checkBound("--max-abs", options.bounds.maxAbs);
-    checkBound("--max-fail-percent", options.bounds.maxFailPercent);
     if (!options.differencePath.empty())
         checkWritable(options.differencePath);
 
@@ -120,28 +112,34 @@ void runCompare(const CompareOptions& options) {
 
 } // namespace
 
-void addCompareCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("compare", "Compare two pictures, channel by channel");
+Command makeCompareCommand() {
     const auto options = std::make_shared<CompareOptions>();
-    command->add_option("A", options->pathA, "Picture to judge")->required();
-    command->add_option("B", options->pathB, "Reference")->required();
-    command->add_option("--max-abs", options->bounds.maxAbs,
-                        "A pixel fails when one of its channels differs by more (default 0)");
-    command->add_option("--max-fail-percent", options->bounds.maxFailPercent,
-                        "Per cent of the pixels that may fail (default 0)");
-    command->add_option("--out", options->differencePath,
-                        "Write |A - B| of every common channel to this .exr");
-    command->add_flag("--json", options->json,
-                      "Print the report as JSON; \"inf\" and \"nan\" are strings there");
-    command->footer(
+    const NumberRange bound = {0.0, std::numeric_limits<double>::infinity(), "a bound of 0 or more"};
+    Command command{"compare", "Compare two pictures, channel by channel", {}, {}, {}, {}};
+    SettingList& settings = command.settings;
+    settings.positional("A", options->pathA, "Picture to judge");
+    settings.positional("B", options->pathB, "Reference");
+    settings
+        .number("max-abs", options->bounds.maxAbs, bound,
+                "A pixel fails when one of its channels differs by more")
+        .takes("D");
+    settings
+        .number("max-fail-percent", options->bounds.maxFailPercent, bound,
+                "Per cent of the pixels that may fail")
+        .takes("P");
+    settings.text("out", options->differencePath, "Write |A - B| of every common channel to this .exr")
+        .takes("FILE.exr");
+    settings.flag("json", options->json, "Print the report as JSON; \"inf\" and \"nan\" are strings there");
+    command.footer =
         "Per channel: root mean square error; mean of (A-B)^2 / (B^2 + 0.01); mean of A-B; the largest\n"
         "|A-B| and its pixel, counted from the top left; the pixels that fail. One infinity or NaN against\n"
         "another value is an infinite difference. Channels are matched by name; one that only one picture\n"
         "has fails the comparison. The channels `steps` and `tests` count work: reported, never judged.\n"
         "Exit code: 0 within bounds, 1 not.\n\n"
         "Example:\n"
-        "  build/metamarch compare build/demo/objects.exr build/demo/objects.exr --max-abs 0");
-    command->callback([options] { runCompare(*options); });
+        "  build/metamarch compare build/demo/objects.exr build/demo/objects.exr --max-abs 0";
+    command.run = [options](const SettingList&) { runCompare(*options); };
+    return command;
 }
 
 } // namespace metamarch::cli

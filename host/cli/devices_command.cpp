@@ -1,5 +1,4 @@
-#include "metamarch/cli/devices_command.h"
-
+#include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
 #include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/device_choice.h"
@@ -107,16 +106,17 @@ void runDevices(bool json) {
 
 } // namespace
 
-void addDevicesCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("devices", "List the Vulkan devices and what they lack");
+Command makeDevicesCommand() {
     const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print the list as JSON; sizes are bytes");
-    command->footer(
+    Command command{"devices", "List the Vulkan devices and what they lack", {}, {}, {}, {}};
+    command.settings.flag("json", *json, "Print the list as JSON; sizes are bytes");
+    command.footer =
         "The device marked * is used unless --device names another by its index or a part of its\n"
         "name. Exit code: 0 with a usable device, 4 without one.\n\n"
         "Example:\n"
-        "  build/metamarch devices");
-    command->callback([json] { runDevices(*json); });
+        "  build/metamarch devices";
+    command.run = [json](const SettingList&) { runDevices(*json); };
+    return command;
 }
 
 } // namespace metamarch::cli

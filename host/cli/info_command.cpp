@@ -1,11 +1,9 @@
-#include "metamarch/cli/info_command.h"
-
 #include "metamarch/accel/structure_set.h"
-#include "metamarch/cli/scene_options.h"
-#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/commands.h"
 #include "metamarch/cli/structure_report.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/scene/import.h"
+#include "metamarch/settings/render_settings.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +14,8 @@ namespace {
 
 struct InfoOptions {
     std::string scenePath;
-    SceneOptions scene;
-    StructureOptions structure;
+    ImportOptions import;
+    AccelerationOptions structure;
     bool json = false;
 };
 
@@ -80,13 +78,13 @@ void printText(const nlohmann::ordered_json& report) {
 }
 
 void runInfo(const InfoOptions& options) {
-    const AccelerationOptions structureOptions = options.structure.parse();
-    const Scene scene = loadScene(options.scenePath, options.scene.parse());
+    checkStructure(options.structure);
+    const Scene scene = loadScene(options.scenePath, options.import);
     printWarnings(scene);
-    const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    const AccelerationStructure structure = buildAccelerationStructure(scene, options.structure);
     printWarnings(scene, structure);
     nlohmann::ordered_json report = reportStructure(scene, structure);
-    if (structureOptions.table == TableMethod::rectilinear) {
+    if (options.structure.table == TableMethod::rectilinear) {
         report["rectilinear"] = reportRectilinear(StructureSet(structure).rectilinearTable());
     }
     if (options.json) {
@@ -98,16 +96,17 @@ void runInfo(const InfoOptions& options) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& program) {
-    CLI::App* command =
-        program.add_subcommand("info", "Show what a scene holds and what tree and table cost");
+Command makeInfoCommand() {
     const auto options = std::make_shared<InfoOptions>();
-    command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-    command->add_flag("--json", options->json, "Print JSON");
-    options->scene.addTo(*command);
-    options->structure.addTo(*command);
-    command->footer("Example:\n  build/metamarch info scenes/objects.glb --cells 100000");
-    command->callback([options] { runInfo(*options); });
+    Command command{"info", "Show what a scene holds and what tree and table cost", {}, {}, {}, {}};
+    SettingList& settings = command.settings;
+    settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
+    settings.flag("json", options->json, "Print JSON");
+    declareImport(settings, options->import);
+    declareStructure(settings, options->structure);
+    command.footer = "Example:\n  build/metamarch info scenes/objects.glb --cells 100000";
+    command.run = [options](const SettingList&) { runInfo(*options); };
+    return command;
 }
 
 } // namespace metamarch::cli

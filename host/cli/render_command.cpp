@@ -1,16 +1,9 @@
-#include "metamarch/cli/render_command.h"
-
-#include "metamarch/cli/light_options.h"
-#include "metamarch/cli/number_list.h"
-#include "metamarch/cli/path_options.h"
+#include "metamarch/cli/commands.h"
+#include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/path_rendering.h"
 #include "metamarch/cli/primary_rendering.h"
-#include "metamarch/cli/scene_options.h"
-#include "metamarch/cli/structure_options.h"
 #include "metamarch/cli/structure_report.h"
-#include "metamarch/cli/tone_options.h"
 #include "metamarch/cli/version.h"
-#include "metamarch/cli/view_options.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
@@ -19,6 +12,7 @@
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/stopwatch.h"
 #include "metamarch/scene/import.h"
+#include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/lit_scene.h"
 #include "metamarch/shading/view.h"
@@ -33,35 +27,37 @@
 namespace metamarch::cli {
 namespace {
 
+enum class Backend { gpu, cpu };
+
+constexpr std::pair<std::string_view, Backend> kBackends[] = {{"gpu", Backend::gpu}, {"cpu", Backend::cpu}};
+
 struct RenderOptions {
     std::string scenePath;
     std::string outputPath;
-    std::string size = "1280x720";
-    ViewOptions camera;
-    ToneOptions tone;
-    std::string backend = "gpu";
+    glm::uvec2 size{1280, 720};
+    ViewChoice view;
+    ToneMapping tone{kToneNeutral};
+    Backend backend = Backend::gpu;
     std::string device;
-    std::string traversal;
-    std::string integrator = "path";
-    PathOptions path{64};
-    LightOptions light;
-    SceneOptions scene;
-    StructureOptions structure;
+    std::string traversal; // empty: what marches the table
+    PathChoice path;
+    std::uint32_t samplesPerPixel = 64;
+    LightChoice light;
+    ImportOptions import;
+    AccelerationOptions structure;
     std::string statsPath;
     bool quiet = false;
 };
 
 void checkArguments(const RenderOptions& options) {
-    if (options.backend == "cpu" && !(options.device.empty() && options.traversal.empty())) {
+    if (options.backend == Backend::cpu && !(options.device.empty() && options.traversal.empty())) {
         throw Error(
             ErrorKind::invalidArgument,
             "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
             "for the gpu");
     }
-    options.camera.check(options.integrator);
-    options.path.check();
-    options.light.check();
-    options.tone.check();
+    checkView(options.view, options.path.integrator);
+    checkStructure(options.structure);
 }
 
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -76,7 +72,7 @@ nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure
     stats["device"] = rendering.device;
     stats["driver"] = rendering.driver;
     stats["traversal"] = rendering.traversal;
-    stats["integrator"] = options.integrator;
+    stats["integrator"] = nameOf(options.path.integrator);
     stats["size"] = {size.x, size.y};
     stats.update(rendering.stats);
     stats["scene"] = reportStructure(scene, structure);
@@ -87,18 +83,16 @@ nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure
 }
 
 Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
-    const PathChoice path = options.path.parse(options.integrator);
-    const LitScene lit = lightScene(job.scene, options.scenePath, path, options.light.parse());
+    const LitScene lit = lightScene(job.scene, options.scenePath, options.path, options.light);
     for (const std::string& warning : lit.warnings) {
         printWarning(warning);
     }
-    return renderPaths(job, lit.shading, path.applied(lit.shading.settings), options.path.samples());
+    return renderPaths(job, lit.shading, options.path.applied(lit.shading.settings), options.samplesPerPixel);
 }
 
 void runRender(const RenderOptions& options) {
     checkArguments(options);
-    const glm::uvec2 size = parseSize("--size", options.size);
-    const AccelerationOptions structureOptions = options.structure.parse();
+    const glm::uvec2 size = options.size;
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
@@ -108,43 +102,46 @@ void runRender(const RenderOptions& options) {
     }
 
     const std::string traversal =
-        options.traversal.empty() ? std::string(marchThrough(structureOptions.table)) : options.traversal;
-    requireTable(structureOptions.table, traversal);
+        options.traversal.empty() ? std::string(marchThrough(options.structure.table)) : options.traversal;
+    requireTable(options.structure.table, traversal);
 
     // Before the long work, what can go wrong without it.
     std::optional<vulkan::Context> context;
     std::optional<vulkan::Device> device;
-    if (options.backend == "gpu") {
+    if (options.backend == Backend::gpu) {
         context.emplace();
         device.emplace(*context, options.device);
         render::requireTraversal(device->report(), traversal);
     }
 
     const Stopwatch import;
-    const Scene scene = loadScene(options.scenePath, options.scene.parse());
+    const Scene scene = loadScene(options.scenePath, options.import);
     const double importSeconds = import.seconds();
     printWarnings(scene);
-    const SceneCamera sceneCamera = options.camera.choose(scene, size);
-    const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.camera.parse());
+    const SceneCamera sceneCamera =
+        chooseCamera(scene, options.view, static_cast<float>(size.x) / static_cast<float>(size.y));
+    const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.view.lens);
     const Stopwatch build;
-    const AccelerationStructure structure = buildAccelerationStructure(scene, structureOptions);
+    const AccelerationStructure structure = buildAccelerationStructure(scene, options.structure);
     const double buildSeconds = build.seconds();
     printWarnings(scene, structure);
     const RenderJob job{scene, structure, camera, device ? &*device : nullptr, traversal, options.quiet};
-    Rendering rendering = options.integrator == "primary" ? renderPrimary(job) : tracePaths(job, options);
+    Rendering rendering =
+        options.path.integrator == Integrator::primary ? renderPrimary(job) : tracePaths(job, options);
 
     rendering.stats["seconds"]["import"] = importSeconds;
     rendering.stats["seconds"]["build"] = buildSeconds;
 
-    if (options.integrator != "primary" && std::filesystem::path(options.outputPath).extension() == ".png") {
+    if (options.path.integrator != Integrator::primary &&
+        std::filesystem::path(options.outputPath).extension() == ".png") {
         makeOpaque(rendering.image);
     }
-    addHeader(rendering.image,
-              {programVersion(), rendering.device, rendering.driver, rendering.traversal, options.integrator,
-               options.scenePath, rendering.stats["seconds"]["render"].get<double>(), sceneCamera.name,
-               sceneCamera.eye, sceneCamera.forward, sceneCamera.up});
+    addHeader(rendering.image, {programVersion(), rendering.device, rendering.driver, rendering.traversal,
+                                std::string(nameOf(options.path.integrator)), options.scenePath,
+                                rendering.stats["seconds"]["render"].get<double>(), sceneCamera.name,
+                                sceneCamera.eye, sceneCamera.forward, sceneCamera.up});
     const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
-    writeImage(rendering.image, options.outputPath, options.tone.parse(options.integrator));
+    writeImage(rendering.image, options.outputPath, options.tone);
     if (!options.statsPath.empty()) {
         // A driver may call its device by bytes that are no UTF-8.
         writeText(options.statsPath,
@@ -159,53 +156,40 @@ void runRender(const RenderOptions& options) {
 
 } // namespace
 
-void addRenderCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand("render", "Render a scene to an EXR or PNG picture");
+Command makeRenderCommand() {
     const auto options = std::make_shared<RenderOptions>();
-    command->add_option("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-    command->add_option("-o,--output", options->outputPath, "Picture to write: .exr (all channels) or .png")
-        ->required();
-    command->add_option("--size", options->size, "Width and height in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command->add_option("--stats", options->statsPath, "Write what it took as JSON")->type_name("FILE.json");
-    command->add_flag("--quiet", options->quiet, "Print nothing but errors and warnings");
-
-    options->camera.addTo(*command);
-    options->tone.addTo(*command);
-
-    const std::string deviceGroup = "Device";
-    command
-        ->add_option("--backend", options->backend, "gpu: Vulkan compute; cpu: the reference, a kd-tree walk")
-        ->check(CLI::IsMember({"gpu", "cpu"}))
-        ->capture_default_str()
-        ->group(deviceGroup);
-    command->add_option("--device", options->device, "Vulkan device, see `metamarch devices`")
-        ->type_name("INDEX|NAME")
-        ->group(deviceGroup);
-    const std::span<const std::string_view> names = traversals();
-    command
-        ->add_option(
-            "--traversal", options->traversal,
-            fmt::format("How rays find triangles (default {}, or what marches --table)", names.front()))
-        ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())))
-        ->group(deviceGroup);
-    command
-        ->add_option(
-            "--integrator", options->integrator,
-            "path: global illumination; direct: without bounces; ao: white, under a white sky; primary: "
-            "what is seen, lit from the eye, at pixel centres")
-        ->check(CLI::IsMember({"path", "direct", "ao", "primary"}))
-        ->capture_default_str()
-        ->group(deviceGroup);
-    options->path.addTo(*command);
-    options->light.addTo(*command);
-    options->scene.addTo(*command);
-    options->structure.addTo(*command);
-    command->footer(
+    Command command{"render", "Render a scene to an EXR or PNG picture", {}, {}, {}, {}};
+    SettingList& settings = command.settings;
+    settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
+    settings.text("output", options->outputPath, "Picture to write: .exr (all channels) or .png")
+        .shortly("o")
+        .takes("FILE")
+        .required();
+    settings.size("size", options->size, "Width and height in pixels");
+    settings.text("stats", options->statsPath, "Write what it took as JSON").takes("FILE.json");
+    settings.flag("quiet", options->quiet, "Print nothing but errors and warnings");
+    declareCamera(settings, options->view);
+    declareTone(settings, options->tone);
+    settings.beginGroup("Device");
+    settings.choice("backend", options->backend, kBackends,
+                    "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
+    declareDevice(settings, options->device);
+    declareTraversal(settings, "traversal", options->traversal,
+                     fmt::format("How rays find triangles (default {}, or what marches --table): {}",
+                                 traversals().front(), fmt::join(traversals(), " ")));
+    declareIntegrator(settings, options->path, std::size(kIntegrators));
+    declarePath(settings, options->path, options->samplesPerPixel);
+    declareLight(settings, options->light);
+    declareImport(settings, options->import);
+    declareStructure(settings, options->structure);
+    command.footer =
         "Pixel (0,0) is top left.\n\n"
-        "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16");
-    command->callback([options] { runRender(*options); });
+        "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16";
+    command.run = [options](const SettingList& given) {
+        chooseTone(given, options->path.integrator, options->tone);
+        runRender(*options);
+    };
+    return command;
 }
 
 } // namespace metamarch::cli

@@ -1,6 +1,6 @@
 #include "metamarch/cli/rendering.h"
 
-#include "metamarch/cli/structure_options.h"
+#include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/structure_report.h"
 
 namespace metamarch::cli {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <imgui.h>
 #include <string>
 
@@ -69,16 +70,35 @@ void drawTraversals(ViewerState& state) {
     }
 }
 
-void drawTone(ToneMapping& tone) {
-    const auto* const current =
-        std::ranges::find(kToneOperators, tone.toneOperator, &ToneOperatorName::toneOperator);
-    const std::string chosen = chooseName("tone map", std::string(current->name), kToneOperators,
-                                          [](const auto& known) { return known.name; });
-    tone.toneOperator = std::ranges::find(kToneOperators, chosen, &ToneOperatorName::name)->toneOperator;
-    ImGui::SliderFloat("exposure", &tone.exposure, -10.0f, 10.0f, "%.2f stops", kTypedWithin);
+// The control that the setting's kind asks for; nothing for one that a panel cannot show.
+void drawSetting(Setting& setting) {
+    std::string label = setting.name();
+    std::ranges::replace(label, '-', ' ');
+    if (setting.kind() == Setting::Kind::flag) {
+        bool isOn = setting.text() == "on";
+        if (ImGui::Checkbox(label.c_str(), &isOn)) {
+            setting.set(isOn ? "on" : "off");
+        }
+    } else if (!setting.choices().empty()) {
+        const std::string current = setting.text();
+        const std::string chosen = chooseName(label.c_str(), current, setting.choices(), kItself);
+        if (chosen != current) {
+            setting.set(chosen);
+        }
+    } else if (const std::optional<Slider>& slider = setting.slider()) {
+        auto value = std::stof(setting.text());
+        const ImGuiSliderFlags scale = slider->isLogarithmic ? ImGuiSliderFlags_Logarithmic : 0;
+        if (ImGui::SliderFloat(label.c_str(), &value, static_cast<float>(slider->least),
+                               static_cast<float>(slider->most), slider->format, kTypedWithin | scale)) {
+            setting.set(fmt::format("{}", slider->isWhole ? std::round(value) : value));
+        }
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", setting.help().c_str());
+    }
 }
 
-void drawLight(LightChoice& light, const bool sceneHasLight) {
+void drawLight(LightChoice& light, SettingList& controls, const bool sceneHasLight) {
     using Kind = LightChoice::Kind;
     constexpr const char* kKinds[] = {"the scene's, or a sky", "map", "background", "sky"};
     int kind = static_cast<int>(light.kind);
@@ -92,15 +112,14 @@ void drawLight(LightChoice& light, const bool sceneHasLight) {
     }
     if (light.kind == Kind::map) {
         line(light.map.filename().string());
-        ImGui::SliderAngle("rotation", &light.rotation, -180.0f, 180.0f, "%.0f deg", kTypedWithin);
+        drawSetting(controls.at("env-rotation"));
     }
     if (light.kind == Kind::background) {
         ImGui::ColorEdit3("radiance", &light.background.x,
                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR);
     }
     if (light.kind == Kind::map || isSky) {
-        ImGui::SliderFloat("intensity", &light.intensity, 0.01f, 100.0f, "%.2f",
-                           kTypedWithin | ImGuiSliderFlags_Logarithmic);
+        drawSetting(controls.at("env-intensity"));
     }
     if (isSky) {
         ImGui::SliderAngle("sun's height", &light.sunElevation, -10.0f, 90.0f, "%.0f deg", kTypedWithin);
@@ -111,19 +130,17 @@ void drawLight(LightChoice& light, const bool sceneHasLight) {
 void drawRenderer(ViewerState& state) {
     Settings& settings = state.settings;
     drawViewChoice(settings);
-    constexpr const char* kIntegrators[] = {"path", "direct", "ao"};
-    settings.path.integrator = chooseName("integrator", settings.path.integrator, kIntegrators, kItself);
-    int bounces = static_cast<int>(settings.path.maxBounces);
-    if (ImGui::SliderInt("bounces", &bounces, 0, 32, "%d", kTypedWithin)) {
-        settings.path.maxBounces = static_cast<std::uint32_t>(bounces);
-    }
+    SettingList& controls = state.controls;
+    drawSetting(controls.at("integrator"));
+    drawSetting(controls.at("max-bounces"));
     int samples = static_cast<int>(settings.samples);
     if (ImGui::InputInt("samples", &samples, 64, 1024, ImGuiInputTextFlags_EnterReturnsTrue)) {
         settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 1 << 24));
     }
     drawTraversals(state);
-    drawTone(settings.tone);
-    drawLight(settings.light, state.scene && state.scene->hasLight);
+    drawSetting(controls.at("tone-map"));
+    drawSetting(controls.at("exposure"));
+    drawLight(settings.light, controls, state.scene && state.scene->hasLight);
 }
 
 void drawCamera(ViewerState& state) {

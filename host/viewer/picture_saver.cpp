@@ -63,8 +63,8 @@ std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::
     Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y));
     addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
     addHeader(image, {software, device.name(), device.report().driverInfo, traversal,
-                      state.settings.path.integrator, file.string(), plate.seconds(), shot.camera.name,
-                      shot.camera.eye, shot.camera.forward, shot.camera.up});
+                      std::string(nameOf(state.settings.path.integrator)), file.string(), plate.seconds(),
+                      shot.camera.name, shot.camera.eye, shot.camera.forward, shot.camera.up});
     if (ending == ".png") {
         makeOpaque(image);
     }

@@ -163,7 +163,7 @@ class Viewer {
         state.settings.light = shown.light;
         state.settings.hiddenMeshes = shown.hiddenMeshes;
         state.settings.path.integrator = shown.path.integrator;
-        state.settings.path.isSingleScatter = shown.path.isSingleScatter;
+        state.settings.path.brdf = shown.path.brdf;
         reading = shown.reading;
         watchFile();
     }
@@ -384,7 +384,7 @@ class Viewer {
         const std::string seen =
             settings.view
                 ? std::string(render::kViewNames[*settings.view].name)
-                : fmt::format("{}, {} of {} samples", settings.path.integrator,
+                : fmt::format("{}, {} of {} samples", nameOf(settings.path.integrator),
                               static_cast<std::uint32_t>(state.statistics.samples), settings.samples);
         const std::string how =
             state.hasSplit() ? settings.traversal + " | " + settings.rival : settings.traversal;

@@ -4,6 +4,13 @@
 
 namespace metamarch::viewer {
 
+void declareControls(SettingList& list, Settings& settings) {
+    declareIntegrator(list, settings.path, kFilmIntegrators);
+    declarePath(list, settings.path, settings.samples);
+    declareTone(list, settings.tone);
+    declareLight(list, settings.light);
+}
+
 void ViewerState::say(const std::string& line) {
     constexpr std::size_t kMostMessages = 8;
     fmt::print("{}\n", line);

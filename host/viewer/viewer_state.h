@@ -1,6 +1,7 @@
 // What the window's parts share: controls and panels change it, the viewer acts on what has changed.
 #pragma once
 #include "metamarch/image/tone_mapping.h"
+#include "metamarch/settings/render_settings.h"
 #include "metamarch/shared/inspect_view.h"
 #include "metamarch/viewer/pick.h"
 #include "metamarch/viewer/scene_loader.h"
@@ -68,9 +69,17 @@ struct Statistics {
     std::string device;                  // its name and driver
 };
 
+// Declares those settings that the panels show.
+void declareControls(SettingList& list, Settings& settings);
+
 struct ViewerState {
+    ViewerState() { declareControls(controls, settings); }
+    ViewerState(const ViewerState&) = delete; // the controls refer to the settings
+    ViewerState& operator=(const ViewerState&) = delete;
+
     std::filesystem::path file;
     Settings settings;
+    SettingList controls;
     ViewCamera camera;
     glm::uvec2 size{0}; // of the window, in pixels
 

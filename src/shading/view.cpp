@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace metamarch {
 namespace {
@@ -91,6 +92,26 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
     constexpr float kBorder = 1.05f;
     camera.eye = center - camera.forward * (distance > 0.0f ? distance * kBorder : 1.0f);
     return camera;
+}
+
+SceneCamera chooseCamera(const Scene& scene, const ViewChoice& choice, const float aspect) {
+    const auto fov = choice.verticalFov
+                         ? std::optional(static_cast<float>(*choice.verticalFov * std::numbers::pi / 180.0))
+                         : std::nullopt;
+    SceneCamera chosen;
+    if (choice.eye && choice.target) {
+        chosen = lookAt(*choice.eye, *choice.target, choice.up.value_or(glm::vec3(0.0f, 1.0f, 0.0f)));
+        if (choice.orthographicHeight) {
+            chosen.projection = SceneCamera::Projection::orthographic;
+            chosen.verticalExtent = *choice.orthographicHeight;
+        }
+    } else if (!choice.camera.empty() || !scene.cameras.empty()) {
+        chosen = selectCamera(scene, choice.camera.empty() ? "0" : choice.camera);
+    } else {
+        return frameBounds(boundsOf(scene), fov.value_or(kDefaultVerticalFov), aspect);
+    }
+    chosen.verticalFov = fov.value_or(chosen.verticalFov);
+    return chosen;
 }
 
 Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const std::uint32_t height,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace metamarch {
@@ -37,6 +38,22 @@ struct CameraOptions {
     float focusDistance = std::numeric_limits<float>::infinity();
     bool isPanorama = false; // all directions around the eye, `forward` in the centre of the picture
 };
+
+// From where and through which lens a user wants to see a scene.
+struct ViewChoice {
+    std::string camera; // a camera of the scene, by name or index; empty: `eye`, or else the first
+    // World space. `eye` and `target` are there together; without `up`, +y is up.
+    std::optional<glm::vec3> eye;
+    std::optional<glm::vec3> target;
+    std::optional<glm::vec3> up;
+    std::optional<double> verticalFov;       // degrees; takes the place of the camera's own
+    std::optional<float> orthographicHeight; // world units; parallel rays from `eye`
+    CameraOptions lens;
+};
+
+// The camera that `choice` asks for, else the scene's first, else one that sees the whole scene in a picture
+// of `aspect` (width / height). Throws Error(invalidArgument) for a camera that does not exist and as lookAt.
+SceneCamera chooseCamera(const Scene& scene, const ViewChoice& choice, float aspect);
 
 // `width` and `height` in pixels. Throws Error(invalidArgument) for a radius or distance out of range, and
 // for a panorama with a lens.

@@ -1,5 +1,5 @@
 #include "fixtures/vulkan_environment.h"
-#include "metamarch/cli/devices_command.h"
+#include "metamarch/cli/commands.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -9,17 +9,19 @@
 namespace metamarch::cli {
 namespace {
 
-// What `metamarch devices ARGUMENTS` prints.
-std::string output(const std::string& arguments) {
-    CLI::App program;
-    addDevicesCommand(program);
+// What `metamarch devices` prints, with --json or without.
+std::string output(const bool isJson) {
+    Command command = makeDevicesCommand();
+    if (isJson) {
+        command.settings.at("json").set("on");
+    }
     testing::internal::CaptureStdout();
-    program.parse("devices " + arguments);
+    command.run(command.settings);
     return testing::internal::GetCapturedStdout();
 }
 
 TEST(DevicesCommand, namesEachDeviceAndMarksOne) {
-    const std::string text = output("");
+    const std::string text = output(false);
     for (const vulkan::DeviceReport& report : vulkan::reportDevices(vulkan::testContext()))
         EXPECT_NE(text.find(report.name), std::string::npos) << text;
     EXPECT_NE(text.find("* "), std::string::npos) << text;
@@ -28,7 +30,7 @@ TEST(DevicesCommand, namesEachDeviceAndMarksOne) {
 }
 
 TEST(DevicesCommand, jsonHasTheLimitsOfTheDefaultDevice) {
-    const auto list = nlohmann::json::parse(output("--json"));
+    const auto list = nlohmann::json::parse(output(true));
     const vulkan::DeviceReport& expected = vulkan::testDevice().report();
     const auto& device = list.at(expected.index);
     EXPECT_EQ(device.at("name"), expected.name);

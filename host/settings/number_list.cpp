@@ -1,4 +1,4 @@
-#include "metamarch/cli/number_list.h"
+#include "metamarch/settings/number_list.h"
 
 #include "metamarch/error/error.h"
 
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace metamarch::cli {
+namespace metamarch {
 namespace {
 
 // Every number between `separator`s, or nothing when one of them is none.
@@ -32,8 +32,8 @@ std::optional<std::vector<Number>> parseNumbers(std::string_view text, const cha
     }
 }
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const char* wanted) {
-    throw Error(ErrorKind::invalidArgument, fmt::format("{} {}: give {}", option, text, wanted));
+[[noreturn]] void refuse(const char* wanted) {
+    throw Error(ErrorKind::invalidArgument, fmt::format("give {}", wanted));
 }
 
 bool allFinite(const std::vector<double>& numbers) {
@@ -48,34 +48,34 @@ bool allFinite(const std::vector<double>& numbers) {
 
 } // namespace
 
-glm::dvec3 parsePoint(const std::string& option, const std::string& text) {
+glm::dvec3 parsePoint(const std::string& text) {
     const auto numbers = parseNumbers<double>(text, ',');
     if (!numbers || numbers->size() != 3 || !allFinite(*numbers)) {
-        refuse(option, text, "three numbers, x,y,z");
+        refuse("three numbers, x,y,z");
     }
     return {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
-glm::dvec3 parseOneOrThree(const std::string& option, const std::string& text) {
+glm::dvec3 parseOneOrThree(const std::string& text) {
     const auto numbers = parseNumbers<double>(text, ',');
     if (!numbers || (numbers->size() != 1 && numbers->size() != 3) || !allFinite(*numbers)) {
-        refuse(option, text, "one number, or three with commas between");
+        refuse("one number, or three with commas between");
     }
     return numbers->size() == 1 ? glm::dvec3(numbers->front())
                                 : glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
-glm::uvec2 parseSize(const std::string& option, const std::string& text) {
+glm::uvec2 parseSize(const std::string& text) {
     const auto numbers = parseNumbers<std::uint32_t>(text, 'x');
     if (!numbers || numbers->size() != 2 || numbers->front() == 0 || numbers->back() == 0) {
-        refuse(option, text, "WIDTHxHEIGHT in pixels, both at least 1");
+        refuse("WIDTHxHEIGHT in pixels, both at least 1");
     }
     const std::uint64_t pixels = std::uint64_t{numbers->front()} * numbers->back();
     if (pixels > kMaxPixels) {
-        throw Error(ErrorKind::outOfMemory, fmt::format("{} {}: {} pixels are over the limit of {}", option,
-                                                        text, pixels, kMaxPixels));
+        throw Error(ErrorKind::outOfMemory,
+                    fmt::format("{} pixels are over the limit of {}", pixels, kMaxPixels));
     }
     return {numbers->front(), numbers->back()};
 }
 
-} // namespace metamarch::cli
+} // namespace metamarch

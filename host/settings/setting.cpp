@@ -1,0 +1,304 @@
+#include "metamarch/settings/setting.h"
+
+#include "metamarch/settings/number_list.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace metamarch {
+namespace {
+
+[[noreturn]] void refuse(const std::string& wanted) {
+    throw Error(ErrorKind::invalidArgument, "give " + wanted);
+}
+
+// The number that all of `text` is. A leading + is allowed, which std::from_chars does not know.
+template <class Number>
+std::optional<Number> parseNumber(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
+        text.remove_prefix(1);
+    }
+    Number number{};
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+double numberWithin(const std::string& text, const NumberRange& range) {
+    const std::optional<double> number = parseNumber<double>(text);
+    if (!number || !(*number >= range.least && *number <= range.most)) {
+        refuse(range.wanted);
+    }
+    return *number;
+}
+
+// Of a number that single precision holds, and that it does not round to 0.
+float floatWithin(const std::string& text, const NumberRange& range) {
+    const double number = numberWithin(text, range);
+    const auto single = static_cast<float>(number);
+    if (!(std::abs(single) <= std::numeric_limits<float>::max()) || (single == 0.0f) != (number == 0.0)) {
+        refuse(range.wanted);
+    }
+    return single;
+}
+
+std::uint32_t countWithin(const std::string& text, const std::uint32_t least, const std::uint32_t most) {
+    const std::optional<std::uint32_t> number = parseNumber<std::uint32_t>(text);
+    if (!number || *number < least || *number > most) {
+        refuse(fmt::format("a whole number from {} to {}", least, most));
+    }
+    return *number;
+}
+
+template <class T>
+std::string textOf(const std::optional<T>& value) {
+    return value ? fmt::format("{}", *value) : "";
+}
+
+std::string listText(const std::vector<std::string>& names) {
+    if (names.size() < 2) {
+        return fmt::format("{}", fmt::join(names, ""));
+    }
+    return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+std::vector<std::string> splitAtCommas(const std::string& text) {
+    std::vector<std::string> words;
+    std::size_t start = 0;
+    while (true) {
+        const std::size_t comma = text.find(',', start);
+        words.push_back(text.substr(start, comma - start));
+        if (comma == std::string::npos) {
+            return words;
+        }
+        start = comma + 1;
+    }
+}
+
+} // namespace
+
+Setting::Setting(std::string settingName, const Kind settingKind, Access valueAccess, std::string helpText)
+    : name_(std::move(settingName)), kind_(settingKind), access(std::move(valueAccess)),
+      help_(std::move(helpText)), defaultText_(access.text()) {}
+
+void Setting::set(const std::string& text) {
+    if (!choices_.empty()) {
+        const std::vector<std::string> words =
+            kind_ == Kind::list ? splitAtCommas(text) : std::vector<std::string>{text};
+        for (const std::string& word : words) {
+            if (std::ranges::find(choices_, word) == choices_.end()) {
+                refuse(listText(choices_));
+            }
+        }
+    }
+    access.set(text);
+    isGiven_ = true;
+}
+
+Setting& Setting::in(const std::string& groupName) {
+    group_ = groupName;
+    return *this;
+}
+Setting& Setting::takes(const std::string& placeholder) {
+    valueName_ = placeholder;
+    return *this;
+}
+Setting& Setting::shortly(const std::string& letter) {
+    shortName_ = letter;
+    return *this;
+}
+Setting& Setting::oneOf(std::vector<std::string> names) {
+    choices_ = std::move(names);
+    return *this;
+}
+Setting& Setting::excludes(std::vector<std::string> others) {
+    excluded_ = std::move(others);
+    return *this;
+}
+Setting& Setting::needs(std::vector<std::string> others) {
+    needed_ = std::move(others);
+    return *this;
+}
+Setting& Setting::required() {
+    isRequired_ = true;
+    return *this;
+}
+Setting& Setting::slides(const Slider& range) {
+    slider_ = range;
+    return *this;
+}
+
+Setting& SettingList::add(const std::string& name, const Setting::Kind kind, Setting::Access access,
+                          const std::string& help) {
+    return settings.emplace_back(name, kind, std::move(access), help).in(group);
+}
+
+Setting& SettingList::flag(const std::string& name, bool& value, const std::string& help) {
+    return add(name, Setting::Kind::flag,
+               {[&value](const std::string& text) { value = text != "off"; },
+                [&value] { return std::string(value ? "on" : "off"); }},
+               help);
+}
+
+Setting& SettingList::flagOff(const std::string& name, bool& value, const std::string& help) {
+    return add(name, Setting::Kind::flag,
+               {[&value](const std::string& text) { value = text == "off"; },
+                [&value] { return std::string(value ? "off" : "on"); }},
+               help);
+}
+
+Setting& SettingList::number(const std::string& name, double& value, const NumberRange& range,
+                             const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, range](const std::string& text) { value = numberWithin(text, range); },
+                [&value] { return fmt::format("{}", value); }},
+               help);
+}
+
+Setting& SettingList::number(const std::string& name, float& value, const NumberRange& range,
+                             const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, range](const std::string& text) { value = floatWithin(text, range); },
+                [&value] { return fmt::format("{}", value); }},
+               help);
+}
+
+Setting& SettingList::number(const std::string& name, std::optional<double>& value, const NumberRange& range,
+                             const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, range](const std::string& text) { value = numberWithin(text, range); },
+                [&value] { return textOf(value); }},
+               help);
+}
+
+Setting& SettingList::number(const std::string& name, std::optional<float>& value, const NumberRange& range,
+                             const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, range](const std::string& text) { value = floatWithin(text, range); },
+                [&value] { return textOf(value); }},
+               help);
+}
+
+Setting& SettingList::angle(const std::string& name, float& radians, const NumberRange& degrees,
+                            const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&radians, degrees](const std::string& text) {
+                    const double turn = std::fmod(numberWithin(text, degrees), 360.0);
+                    radians = static_cast<float>(turn * std::numbers::pi / 180.0);
+                },
+                [&radians] {
+                    return fmt::format("{:.6g}", static_cast<double>(radians) * 180.0 / std::numbers::pi);
+                }},
+               help)
+        .takes("DEG");
+}
+
+Setting& SettingList::count(const std::string& name, std::uint32_t& value, const std::uint32_t least,
+                            const std::uint32_t most, const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, least, most](const std::string& text) { value = countWithin(text, least, most); },
+                [&value] { return fmt::format("{}", value); }},
+               help)
+        .takes("N");
+}
+
+Setting& SettingList::count(const std::string& name, std::optional<std::uint32_t>& value,
+                            const std::uint32_t least, const std::uint32_t most, const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value, least, most](const std::string& text) { value = countWithin(text, least, most); },
+                [&value] { return textOf(value); }},
+               help)
+        .takes("N");
+}
+
+Setting& SettingList::text(const std::string& name, std::string& value, const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value](const std::string& given) { value = given; }, [&value] { return value; }}, help);
+}
+
+Setting& SettingList::file(const std::string& name, std::filesystem::path& value, const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value](const std::string& given) { value = given; }, [&value] { return value.string(); }},
+               help)
+        .takes("FILE");
+}
+
+Setting& SettingList::point(const std::string& name, std::optional<glm::vec3>& value,
+                            const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value](const std::string& text) { value = glm::vec3(parsePoint(text)); },
+                [&value] { return value ? fmt::format("{},{},{}", value->x, value->y, value->z) : ""; }},
+               help)
+        .takes("x,y,z");
+}
+
+Setting& SettingList::size(const std::string& name, glm::uvec2& value, const std::string& help) {
+    return add(name, Setting::Kind::value,
+               {[&value](const std::string& text) { value = parseSize(text); },
+                [&value] { return fmt::format("{}x{}", value.x, value.y); }},
+               help)
+        .takes("WxH");
+}
+
+Setting& SettingList::word(const std::string& name, std::string& value, std::vector<std::string> names,
+                           const std::string& help) {
+    return text(name, value, help).oneOf(std::move(names));
+}
+
+Setting& SettingList::words(const std::string& name, std::vector<std::string>& value,
+                            const std::string& help) {
+    return add(name, Setting::Kind::list,
+               {[&value](const std::string& text) { value = splitAtCommas(text); },
+                [&value] { return fmt::format("{}", fmt::join(value, ",")); }},
+               help);
+}
+
+Setting& SettingList::positional(const std::string& name, std::string& value, const std::string& help) {
+    return add(name, Setting::Kind::positional,
+               {[&value](const std::string& given) { value = given; }, [&value] { return value; }}, help)
+        .required();
+}
+
+Setting& SettingList::positionals(const std::string& name, std::vector<std::string>& value,
+                                  const std::string& help) {
+    return add(name, Setting::Kind::positional,
+               {[&value](const std::string& given) { value.push_back(given); },
+                [&value] { return fmt::format("{}", fmt::join(value, " ")); }},
+               help)
+        .takes("...")
+        .required();
+}
+
+const Setting& SettingList::at(const std::string_view name) const {
+    const auto found = std::ranges::find(settings, name, &Setting::name);
+    if (found == settings.end()) {
+        throw std::out_of_range("no setting " + std::string(name));
+    }
+    return *found;
+}
+
+Setting& SettingList::at(const std::string_view name) {
+    return const_cast<Setting&>(std::as_const(*this).at(name));
+}
+
+std::string SettingList::changedText(const std::span<const std::string_view> without) const {
+    std::string text;
+    for (const Setting& setting : settings) {
+        if (setting.kind() == Setting::Kind::positional || !setting.isChanged() ||
+            std::ranges::find(without, setting.name()) != without.end()) {
+            continue;
+        }
+        text += fmt::format("{}--{}", text.empty() ? "" : " ", setting.name());
+        if (setting.kind() != Setting::Kind::flag) {
+            text += ' ' + setting.text();
+        }
+    }
+    return text;
+}
+
+} // namespace metamarch
