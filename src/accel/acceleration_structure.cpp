@@ -15,7 +15,7 @@
 namespace metamarch {
 namespace {
 
-// Seconds since `start`, which moves on to now.
+// Returns the seconds since `start` and sets `start` to now.
 double lap(std::chrono::steady_clock::time_point& start) {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - start).count();
@@ -23,12 +23,12 @@ double lap(std::chrono::steady_clock::time_point& start) {
     return seconds;
 }
 
-// Whether how many cells the lattice has is decided here.
+// Whether this file chooses the number of cells, rather than the user.
 bool choosesCells(const AccelerationOptions& options) {
     return !options.unit && !options.cells && !options.partition && options.table != TableMethod::gcd;
 }
 
-// Cells of a lattice whose table passes the budget to those of the next that is tried.
+// Divides the number of cells if the table of a lattice chosen here exceeds its budget; then builds again.
 constexpr std::uint32_t kCoarser = 4;
 
 MetaTable buildTable(const LeafList& list, const Lattice& lattice, const AccelerationOptions& options,
@@ -55,7 +55,7 @@ std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const TriangleMes
     return corners;
 }
 
-// The median of the triangles' longest edges.
+// Returns the median of the triangles' longest edges.
 double typicalEdgeOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids) {
     if (ids.empty()) {
         return 0.0;
@@ -72,7 +72,7 @@ double typicalEdgeOf(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
     return *middle;
 }
 
-// Chooses the lattice and builds the tree on it; returns the triangles in its space.
+// Chooses the lattice and builds the tree on it. Returns the triangles in lattice space.
 std::vector<LatticeTriangle> layTree(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
                                      const AccelerationOptions& options, const unsigned depth,
                                      AccelerationStructure& result) {
@@ -100,7 +100,7 @@ std::vector<LatticeTriangle> layTree(const TriangleMesh& mesh, const std::vector
     return corners;
 }
 
-// Tree and table over the triangles `ids`, with a table of at most `budget` bytes.
+// Builds tree and table over the triangles `ids`; the table may take at most `budget` bytes.
 void build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
            const AccelerationOptions& options, const unsigned depth, const std::uint64_t budget,
            AccelerationStructure& result) {
@@ -160,7 +160,7 @@ AccelerationStructure buildAccelerationStructure(const TriangleMesh& mesh,
     AccelerationStructure result;
     result.degenerateTriangles = static_cast<std::uint32_t>(mesh.triangles.size() - ids.size());
     AccelerationOptions tried = options;
-    // Ends: a table of few cells takes few bytes.
+    // The loop ends because each retry has fewer cells, and a table of few cells takes few bytes.
     for (bool fits = false; !fits;) {
         try {
             build(mesh, ids, tried, depth, choosesCells(options) ? kAutomaticTableBudget : kTableBudget,

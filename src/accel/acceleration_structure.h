@@ -1,4 +1,4 @@
-// Everything rays need of a scene: lattice, kd-tree, meta table and the triangle records in leaf order.
+// Everything that tracing a scene needs: the lattice, the kd-tree, the meta table and the triangle records.
 #pragma once
 #include "metamarch/accel/gcd_lattice.h"
 #include "metamarch/accel/kd_tree.h"
@@ -13,34 +13,35 @@
 namespace metamarch {
 
 struct AccelerationStructure {
-    AccelerationOptions options; // it was built by
+    AccelerationOptions options; // the options it was built with
     Lattice lattice;
     glm::dvec3 unit;                       // LatticeChoice::unit
-    std::optional<PlaneRounding> rounding; // of method 2
+    std::optional<PlaneRounding> rounding; // set only for TableMethod::gcd
     KdTree tree;
     MetaTable table;
-    std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles
+    std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles, in that order
 
-    // In the order of the table's leaves.
+    // The triangle records in the order in which the table's leaves refer to them.
     std::span<const TriangleRecord> tableTriangles() const {
         return table.triangles.empty() ? triangles : table.triangles;
     }
 
-    std::uint32_t degenerateTriangles = 0; // of the mesh, in no leaf
-    double treeSeconds = 0.0;              // wall time
+    std::uint32_t degenerateTriangles = 0; // number of degenerate triangles in the mesh; they lie in no leaf
+    double treeSeconds = 0.0;              // wall-clock seconds
     double tableSeconds = 0.0;
 };
 
-// Throws what makeLattice, makeGcdLattice and buildKdTree throw; Error(invalidArgument) for a depth over
-// kMaxTreeDepth.
+// Builds all of it. Throws whatever makeLattice, makeGcdLattice and buildKdTree throw, and
+// Error(invalidArgument) if the depth exceeds kMaxTreeDepth.
 AccelerationStructure buildAccelerationStructure(const TriangleMesh& mesh,
                                                  const AccelerationOptions& options);
 
-// The records of `triangleIds`, in their order.
+// Returns the records of `triangleIds`, in the same order.
 std::vector<TriangleRecord> makeTriangleRecords(const TriangleMesh& mesh,
                                                 const std::vector<std::uint32_t>& triangleIds);
 
-// Ids of the triangles that have a normal in single precision, ascending: those that rays can meet.
+// Returns the ids, ascending, of the triangles that a ray can hit: those whose normal is not zero in single
+// precision.
 std::vector<std::uint32_t> solidTriangles(const TriangleMesh& mesh);
 
 } // namespace metamarch

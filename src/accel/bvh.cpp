@@ -17,28 +17,28 @@ namespace {
 
 constexpr int kBins = 32;
 
-// What a node costs a ray, in triangle tests: two box tests and 64 bytes.
+// Cost of visiting an inner node, in triangle tests: it takes two box tests and reads 64 bytes.
 constexpr double kNodeCost = 1.0;
 
-// Triangles below which one thread builds the rest.
+// A range with fewer triangles is built by one thread.
 constexpr std::size_t kSerial = 4096;
 
 struct Primitive {
     Box box; // lattice space, grown by the margin
     glm::dvec3 center;
-    std::uint32_t slot; // of the given triangles
+    std::uint32_t slot; // index into the given triangles
 };
 
 struct BuildNode {
     Box box;
-    std::size_t first = 0; // of the primitives, ordered leaf by leaf in the end
+    std::size_t first = 0; // index of the first primitive; in the end the primitives are in leaf order
     std::size_t count = 0;
-    std::array<std::unique_ptr<BuildNode>, 2> children; // both or none
+    std::array<std::unique_ptr<BuildNode>, 2> children; // either both or none
 };
 
 struct BinnedSplit {
     int axis;
-    int bin; // the first that goes to the second child
+    int bin; // first bin of the second child
     double cost;
 };
 
@@ -76,7 +76,8 @@ class Builder {
         if (fitsLeaf && (depth == kMaxBvhDepth || !split || split->cost >= static_cast<double>(count))) {
             return node;
         }
-        // Halving needs this many levels down to leaves; where a split could leave fewer, halve.
+        // Halving down to the leaves needs this many levels. If a split could leave fewer, halve from here
+        // on.
         const bool canSplit =
             split && depth + 1 + static_cast<unsigned>(std::bit_width(count)) < kMaxBvhDepth;
         const std::size_t below = canSplit ? partition(range, centers, *split) : halve(range, centers);
@@ -108,7 +109,8 @@ class Builder {
         return std::min(static_cast<int>(place), kBins - 1);
     }
 
-    // The cheapest split between bins, or nothing where all centers are one point. Of equal costs the first.
+    // Returns the cheapest split between bins, or nothing if all centers coincide. Among equal costs the
+    // first wins.
     std::optional<BinnedSplit> findSplit(const std::span<const Primitive> range, const Box& centers,
                                          const double nodeArea) const {
         std::optional<BinnedSplit> best;
@@ -123,7 +125,7 @@ class Builder {
                 boxes[bin].grow(primitive.box);
                 ++counts[bin];
             }
-            std::array<double, kBins> costAbove{}; // of bins i and up
+            std::array<double, kBins> costAbove{}; // costs of bins i and above
             Box box;
             std::size_t count = 0;
             for (std::size_t i = kBins - 1; i > 0; --i) {
@@ -149,7 +151,8 @@ class Builder {
         return best;
     }
 
-    // Both return how many primitives the first child has. Stable, so that the order is always the same.
+    // Both functions return the number of primitives in the first child. They are stable, so the order is
+    // deterministic.
     static std::size_t partition(const std::span<Primitive> range, const Box& centers,
                                  const BinnedSplit& split) {
         const auto middle =
@@ -175,7 +178,7 @@ std::uint32_t leafChild(const std::size_t first, const std::size_t count) {
     return kBvhLeaf | static_cast<std::uint32_t>(count) << 27u | static_cast<std::uint32_t>(first);
 }
 
-// Depth-first into the flat array. Recursion goes kMaxBvhDepth deep at most.
+// Appends the nodes to the flat array, depth-first. The recursion is at most kMaxBvhDepth deep.
 std::uint32_t flatten(const BuildNode& node, const unsigned depth, Bvh& bvh) {
     bvh.depth = std::max(bvh.depth, depth);
     if (!node.children[0]) {
@@ -204,7 +207,8 @@ Bvh buildBvh(const Lattice& lattice, const std::span<const TriangleRecord> trian
     if (root->children[0]) {
         flatten(*root, 0, bvh);
     } else {
-        // All in one leaf: a root above it, with an empty leaf for its second child.
+        // The root is a leaf. Traversals start at an inner node, so add one whose second child is an empty
+        // leaf.
         const Box box = triangles.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : root->box;
         const vec3 lo = lowCorner(box);
         const vec3 hi = highCorner(box);

@@ -1,4 +1,4 @@
-// A box of whole cells.
+// An axis-aligned box of whole lattice cells.
 #pragma once
 #include "metamarch/shared/scene_layout.h"
 

@@ -10,8 +10,9 @@
 namespace metamarch {
 namespace {
 
-// Looks into the table that one leaf may take; one that needs more keeps the box it has by then. Measured on
-// scenes of 70,000 to 200,000 triangles: 256 are all but enough, 1024 are, in steps per ray.
+// Limit of table look-ups while the box of one leaf grows; when it is reached, the box stays as it is.
+// Measured on scenes of 70,000 to 200,000 triangles: in steps per ray, 256 are almost enough and 1024 are
+// enough.
 constexpr unsigned kMostLooks = 1024;
 
 constexpr unsigned kFaces = 6;
@@ -21,8 +22,8 @@ class Growth {
     Growth(const LeafList& usedList, const MetaTable& usedTable)
         : resolution(usedTable.resolution), list(usedList), table(usedTable) {}
 
-    // Moves the faces out in turn, each as far as the leaves behind it allow. A face that is held stays so:
-    // the larger the box, the more leaves lie behind it.
+    // Moves the faces outwards in turn, each as far as the leaves behind it allow. A face that cannot move is
+    // never tried again: a larger box has even more leaves behind that face.
     CellBox grow(const Leaf& leaf) const {
         CellBox box = boxOf(leaf);
         unsigned looks = 0;
@@ -40,7 +41,7 @@ class Growth {
     }
 
   private:
-    // How many layers of cells behind a face of the box belong to leaves with no other triangles than `leaf`.
+    // Returns the number of cell layers behind a face of the box whose leaves list only triangles of `leaf`.
     int freeLayers(const Leaf& leaf, const CellBox& box, const int axis, const bool above,
                    unsigned& looks) const {
         const int first = above ? box.hi[axis] : box.lo[axis] - 1;
@@ -52,7 +53,7 @@ class Growth {
         int layers = resolution[axis];
         ivec3 cell;
         cell[axis] = first;
-        // A leaf behind the face is passed at once, and of the rows those in which no leaf begins.
+        // Each leaf behind the face is skipped in one go, and so are the rows in which no new leaf begins.
         for (cell[v] = box.lo[v]; cell[v] < box.hi[v];) {
             int nextRow = box.hi[v];
             for (cell[u] = box.lo[u]; cell[u] < box.hi[u];) {

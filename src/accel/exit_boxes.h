@@ -1,18 +1,20 @@
-// Exit boxes: how far a ray may go once it has tested a leaf.
+// Exit boxes: how far a ray may advance once it has tested a leaf.
 #pragma once
 #include "metamarch/accel/leaf_list.h"
 #include "metamarch/accel/meta_table.h"
 
 namespace metamarch {
 
-// Grows the boxes of the table's leaves over neighbours whose triangles are all among the leaf's own, the
-// empty ones included. Boxes then overlap; a cell still names the one leaf to test. The table is that of
-// `list`. Parallel; the boxes do not depend on the number of threads.
+// Grows the box of each leaf in the table over those neighbouring leaves whose triangles are all listed in
+// the leaf itself (empty neighbours qualify). The boxes may then overlap; each cell still names a single leaf
+// to test. `table` must have been built from `list`. Runs in parallel; the result does not depend on the
+// number of threads.
 // A. Pérard-Gayot, J. Kalojanov, P. Slusallek, "GPU Ray Tracing using Irregular Grids", Eurographics 2017,
-// section 4.3, there over cells of the grid.
+// section 4.3, which does the same for grid cells.
 //
-// No hit is lost: a triangle that comes within kReferenceMargin of the exit box comes within it of some cell
-// there, so it is listed in the leaf that the cell belongs to, and with that in the leaf that was tested.
+// Why no hit is lost: if a triangle comes within kReferenceMargin of the exit box, it comes within that
+// distance of some cell of the box. The leaf that owns the cell lists the triangle, and therefore so does the
+// leaf that was tested.
 void growExitBoxes(const LeafList& list, MetaTable& table);
 
 } // namespace metamarch

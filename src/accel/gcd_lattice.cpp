@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kHint = "choose a larger quantum or a smaller tree depth";
 
-// Rounds the planes below a node with the box [lo, hi), in quanta, and appends what is left of its part of
-// the tree. Recursion goes kMaxTreeDepth deep at most.
+// Rounds the planes below a node with the box [lo, hi), in quanta, and appends the remaining nodes of its
+// subtree to `rounded`. The recursion is at most kMaxTreeDepth deep.
 void roundBelow(const SplitPlan& plan, std::uint32_t nodeId, const glm::dvec3& lo, const glm::dvec3& hi,
                 const unsigned depth, SplitPlan& rounded) {
     double plane = 0.0;
@@ -46,7 +46,8 @@ void roundBelow(const SplitPlan& plan, std::uint32_t nodeId, const glm::dvec3& l
     roundBelow(plan, node.above, middleLo, hi, depth + 1, rounded);
 }
 
-// Of all planes on each axis; without any, one cell takes the whole side.
+// Returns the greatest common divisor of all planes on each axis; on an axis without planes, one cell spans
+// the whole side.
 glm::uvec3 greatestDivisors(const SplitPlan& plan, const glm::uvec3 resolution) {
     glm::uvec3 divisors(0);
     for (const PlannedNode& node : plan.nodes) {
@@ -61,7 +62,7 @@ glm::uvec3 greatestDivisors(const SplitPlan& plan, const glm::uvec3 resolution) 
     return divisors;
 }
 
-// The cells hold the quanta's box: rounding keeps it from shrinking.
+// The cells must contain the box of the quanta; the rounding here cannot make it smaller.
 Lattice inCells(const Lattice& quanta, const glm::uvec3 counts, const glm::uvec3 quantaPerCell) {
     Lattice lattice = quanta;
     lattice.resolution = counts;

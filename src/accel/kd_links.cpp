@@ -25,7 +25,8 @@ void linkBelow(const KdTree& tree, const std::uint32_t nodeId, const std::uint32
     linkBelow(tree, childAbove(node), nodeId, middleLo, hi, links);
 }
 
-// Lets the rope at a face of the box [lo, hi) down as long as one child holds all that lies behind the face.
+// Moves the rope at a face of the box [lo, hi) down the tree while a single child holds all that lies behind
+// the face.
 std::uint32_t letDown(const KdTree& tree, std::uint32_t rope, const unsigned faceAxis, const bool above,
                       const ivec3 lo, const ivec3 hi) {
     while (rope != kNoRope && !isLeaf(tree.nodes[rope])) {
@@ -70,7 +71,7 @@ void tieBelow(const KdTree& tree, const std::uint32_t nodeId, const Ropes& given
 
 } // namespace
 
-// Recursion goes kMaxTreeDepth deep at most.
+// The recursion is at most kMaxTreeDepth deep.
 std::vector<KdParent> linkParents(const Lattice& lattice, const KdTree& tree) {
     std::vector<KdParent> links(tree.nodes.size());
     linkBelow(tree, 0, 0, uvec3(0), lattice.resolution, links);

@@ -18,16 +18,16 @@ namespace {
 
 using References = std::vector<TriangleReference>;
 
-// References of one task; a node with fewer is built by one thread.
+// Number of references per task. One thread builds a node with fewer.
 constexpr std::size_t kChunk = 1u << 13u;
 
 struct BuildNode {
     CellRange box;
     unsigned axis = 0;
     std::uint16_t plane = 0;
-    std::unique_ptr<BuildNode> below; // both or none
+    std::unique_ptr<BuildNode> below; // either both or none
     std::unique_ptr<BuildNode> above;
-    std::vector<std::uint32_t> triangleIds; // of a leaf
+    std::vector<std::uint32_t> triangleIds; // leaves only
 };
 
 struct Children {
@@ -35,7 +35,7 @@ struct Children {
     References above;
 };
 
-// Where a node is split, and what the splitter needs to go on from there.
+// A chosen split and the splitter's state for each child.
 struct Cut {
     unsigned axis;
     std::uint16_t plane;
@@ -43,7 +43,7 @@ struct Cut {
     std::uint32_t above;
 };
 
-// Splits by cost; counts the levels.
+// Splits by the surface area heuristic. The state is the depth.
 class CostSplitter {
   public:
     CostSplitter(const Lattice& lattice, const unsigned depthLimit)
@@ -64,7 +64,7 @@ class CostSplitter {
     glm::dvec3 cellSize;
 };
 
-// Splits by a plan; walks its nodes.
+// Splits by a plan. The state is the index of a node in the plan.
 class PlanSplitter {
   public:
     explicit PlanSplitter(const SplitPlan& usedPlan) : plan(usedPlan) {}
@@ -106,7 +106,7 @@ class Builder {
         References references(corners.size());
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, corners.size(), kChunk), [&](const auto& range) {
             for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                // In a box of the whole lattice something of every triangle remains.
+                // The box is the whole lattice, so part of every triangle lies in it.
                 references[i] = {static_cast<std::uint32_t>(i), *cellsOf(corners[i], root)};
             }
         });
@@ -135,7 +135,7 @@ class Builder {
         boxAbove.lo[cut->axis] = cut->plane;
         Children children = distribute(references, *cut, boxBelow, boxAbove);
         const bool parallel = references.size() > kChunk;
-        References().swap(references); // the two halves need the memory
+        References().swap(references); // free the memory; the two children need it
 
         if (parallel) {
             tbb::task_group tasks;
@@ -149,7 +149,8 @@ class Builder {
         return node;
     }
 
-    // Hands the references down in order, chunk by chunk, so that the result does not depend on the threads.
+    // Distributes the references to the children chunk by chunk, in order, so that the result does not depend
+    // on the number of threads.
     Children distribute(const References& references, const Cut& cut, const CellRange& boxBelow,
                         const CellRange& boxAbove) const {
         const std::size_t chunkCount = (references.size() + kChunk - 1) / kChunk;
@@ -203,7 +204,7 @@ void refuseOver32Bits(const std::size_t count, const char* what) {
     }
 }
 
-// Depth-first into the flat arrays. Recursion goes kMaxTreeDepth deep at most.
+// Appends the nodes to the flat arrays, depth-first. The recursion is at most kMaxTreeDepth deep.
 void flatten(const BuildNode& node, const unsigned depth, KdTree& tree) {
     tree.depth = std::max(tree.depth, depth);
     const std::size_t index = tree.nodes.size();

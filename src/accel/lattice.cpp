@@ -11,34 +11,35 @@
 namespace metamarch {
 namespace {
 
-// Extents outside these lose products of three lengths to underflow or overflow in single precision.
+// Limits of the scene's extent. Beyond them, products of three lengths underflow or overflow in single
+// precision.
 constexpr double kMinExtent = 1e-10;
 constexpr double kMaxExtent = 1e10;
 
-// Positions are single precision: 0.3f / 0.1 is 3.00000004 and means 3 cells.
+// Tolerance for units given in single precision: 0.3f / 0.1 is 3.00000004 and means 3 cells.
 constexpr double kUnitRounding = 0x1p-22;
 
 // Chosen by measurement: README.md in this folder.
 constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
 
-// The side of a cell in typical edges, at most: where a floor carries a model, kCellsPerTriangle would leave
-// the model a handful of cells. Closed models by themselves have about as fine cells from kCellsPerTriangle.
-// Chosen by measurement: README.md in this folder.
+// Largest cell size, in typical edges. It matters where a model stands on a floor: kCellsPerTriangle would
+// leave the model a handful of cells. Closed models on their own get about equally fine cells from
+// kCellsPerTriangle. Chosen by measurement: README.md in this folder.
 constexpr double kCellPerEdge = 0.75;
 
-// The side of a cell for typical edges, at least, as a fraction of the longest side: finer ones would list
-// triangles for their margins alone.
+// Smallest cell size for typical edges, as a fraction of the longest side. Smaller cells would list triangles
+// only because of their margins.
 constexpr double kLeastCell = 4.0 * kReferenceMargin;
 
 constexpr double kTooManyCells =
     1.0 + 1.0 * kMaxLatticeResolution * kMaxLatticeResolution * kMaxLatticeResolution;
 
-// Method 2's quantum where none is asked for, as a fraction of the longest side: 2^24 cells at most, whatever
-// the divisors are.
+// Default quantum of method 2, as a fraction of the longest side. It gives at most 2^24 cells, whatever the
+// divisors are.
 constexpr double kDefaultQuantum = 0x1p-8;
 
-// Finer ones would be finer than the margin of the references.
+// More quanta on a side would be smaller than the margin of the references.
 constexpr double kMostQuanta = 1.0 / kReferenceMargin;
 
 glm::dvec3 cellCounts(const glm::dvec3 extent, const glm::dvec3 unit) {
@@ -48,8 +49,8 @@ glm::dvec3 cellCounts(const glm::dvec3 extent, const glm::dvec3 unit) {
 double largestOf(const glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 double product(const glm::dvec3 v) { return v.x * v.y * v.z; }
 
-// The smallest cubic unit with at most `cells` cells in all and kMaxLatticeResolution on an axis, by
-// bisection.
+// Finds by bisection the smallest cubic unit that gives at most `cells` cells in all and
+// kMaxLatticeResolution on an axis.
 glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
     const double longest = largestOf(extent);
     double tooSmall = longest / kMaxLatticeResolution * 0.5;
@@ -63,7 +64,7 @@ glm::dvec3 unitForCells(const glm::dvec3 extent, const double cells) {
     return glm::dvec3(fits);
 }
 
-// A number printed with six digits may be this much too small.
+// A number printed with six digits may be too small by this factor.
 constexpr double kDigitsRounding = 1.0 + 5e-6;
 
 void refuseOverLimit(const glm::dvec3 counts, const double longestSide) {
@@ -78,7 +79,7 @@ void refuseOverLimit(const glm::dvec3 counts, const double longestSide) {
     }
 }
 
-// The box to lay a lattice over: the scene's, or a unit cube for one without triangles.
+// The box that the lattice covers: the scene's bounds, or a unit cube if the scene has no triangles.
 struct Extents {
     glm::dvec3 lo;
     glm::dvec3 hi;
@@ -104,8 +105,8 @@ Extents extentsOf(const Bounds& bounds, const std::uint32_t triangleCount) {
     return extents;
 }
 
-// The unit where none is asked for; each axis by itself has kMaxLatticeResolution cells at most, which keep
-// above the margin.
+// Returns the unit if the user gives none. Each axis on its own has at most kMaxLatticeResolution cells,
+// which keeps cells larger than the margin.
 glm::dvec3 automaticUnit(const glm::dvec3& size, const std::uint32_t triangleCount,
                          const double typicalEdge) {
     const glm::dvec3 forCount =
@@ -115,8 +116,9 @@ glm::dvec3 automaticUnit(const glm::dvec3& size, const std::uint32_t triangleCou
     return typicalEdge > 0.0 ? glm::min(forCount, forSize) : forCount;
 }
 
-// The lattice of `counts` cells with the box in its middle. Padding is measured by `longest` or the lattice's
-// side, where that is longer. The rounded origin and scale are the lattice; everything else follows them.
+// Makes the lattice of `counts` cells, with the box in its middle. The padding is relative to `longest` or to
+// the lattice's side, whichever is longer. The rounded origin and scale define the lattice; everything else
+// is derived from them.
 Lattice place(const Extents& box, const glm::dvec3& unit, const glm::dvec3& counts, const double longest) {
     Lattice lattice;
     lattice.resolution = glm::uvec3(counts);
@@ -124,7 +126,7 @@ Lattice place(const Extents& box, const glm::dvec3& unit, const glm::dvec3& coun
     lattice.extent = 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
         const double side = std::max(unit[axis] * counts[axis], box.size[axis]);
-        // Far from the world's origin it must also cover the rounding of positions.
+        // Far from the world's origin, the padding must also cover the rounding of positions.
         const double farthest = std::max(std::abs(box.lo[axis]), std::abs(box.hi[axis]));
         const double padding = kBoxPadding * std::max(side, longest) + 4.0 * farthest * 0x1p-24;
         const double slack = std::max(side - box.size[axis], 2.0 * padding);
@@ -185,7 +187,7 @@ LatticeChoice makeQuantumLattice(const Bounds& bounds, const std::uint32_t trian
                 extents.longest / kMostQuanta * kDigitsRounding),
             {"quantum"});
     }
-    // The last cell of several quanta may stick out by almost as much again.
+    // The last cell consists of several quanta and may stick out by nearly the whole side again.
     choice.lattice = place(extents, choice.unit, counts, 2.0 * extents.longest);
     choice.lattice.triangleCount = triangleCount;
     return choice;

@@ -1,4 +1,4 @@
-// The uniform lattice that every split plane and every table cell lies on.
+// The uniform lattice on which all split planes and table cells lie.
 #pragma once
 #include "metamarch/accel/cell_box.h"
 #include "metamarch/accel/options.h"
@@ -7,55 +7,57 @@
 
 namespace metamarch {
 
-// Every triangle is listed in each leaf that comes this near to it, as a fraction of the lattice's longest
-// side: 64 half-ulps. README.md in this folder adds up the roundings it has to cover.
+// A leaf lists every triangle that comes within this distance of it, as a fraction of the lattice's longest
+// side: 64 half-ulps. README.md in this folder adds up the rounding errors that it must cover.
 inline constexpr double kReferenceMargin = 0x1p-18;
 
-// The lattice keeps geometry this far inside, in the same measure.
+// Geometry keeps this distance from the faces of the lattice, as a fraction of its longest side.
 inline constexpr double kBoxPadding = 2.0 * kReferenceMargin;
 
-// Bytes that the table may take.
+// The largest table, in bytes.
 inline constexpr std::uint64_t kTableBudget = std::uint64_t{1} << 30;
 
-// The same where no cells are asked for: less than the 128 MiB that storage buffers must be able to hold.
+// The largest table, in bytes, if the user asks for no number of cells. It is below 128 MiB, the size that
+// every device must support for a storage buffer.
 inline constexpr std::uint64_t kAutomaticTableBudget = std::uint64_t{96} << 20;
 
-// Cells that are chosen at most by the count of triangles, and by the planes of a tree.
+// The largest number of cells that is chosen from the triangle count or from the planes of a tree.
 inline constexpr double kMostAutomaticCells = 0x1p24;
 
 struct LatticeChoice {
     Lattice lattice;
-    glm::dvec3 unit; // the unit lengths asked for or chosen; the cells are up to about 1e-5 larger where
-                     // ceil(extent / unit) cells of it would leave no padding
+    // The unit length requested or chosen, per axis; cells are up to about 1e-5 larger where ceil(extent /
+    // unit) cells of this size would leave no padding.
+    glm::dvec3 unit;
 };
 
-// The lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: the unit first, and
-// ceil(extent / unit) cells an axis. Without unit and cells, kCellsPerTriangle decides; a partition brings
-// its own resolution. `typicalEdge`: the median of the triangles' longest edges, 0 where it does not matter;
-// small triangles in a large box get more cells for it, up to kMaxLatticeResolution on each axis. Throws
-// Error(inputRefused) for a scene too small or too large for single precision and Error(outOfMemory) for more
-// than kMaxLatticeResolution cells on an axis.
+// Chooses the lattice over `bounds` for `triangleCount` triangles. Method 1 of the paper: first the unit
+// length, then ceil(extent / unit) cells per axis. If the options give neither unit nor cells,
+// kCellsPerTriangle decides; a partition brings its own resolution. `typicalEdge` is the median of the
+// triangles' longest edges, or 0 to ignore it; small triangles in a large box get more cells for it, up to
+// kMaxLatticeResolution per axis. Throws Error(inputRefused) for a scene too small or too large for single
+// precision, and Error(outOfMemory) for more than kMaxLatticeResolution cells on an axis.
 LatticeChoice makeLattice(const Bounds& bounds, std::uint32_t triangleCount,
                           const AccelerationOptions& options, double typicalEdge = 0.0);
 
-// Method 2 of the paper, first half: the lattice of quanta that planes are rounded to, which no table is made
-// of. `quantum` is in scene units; kDefaultQuantum of the longest side decides without. Throws
-// Error(inputRefused) as makeLattice, and Error(invalidArgument) for a quantum below kReferenceMargin of the
-// longest side.
+// First half of method 2 of the paper: makes the lattice of quanta to which planes are rounded. No table is
+// built over it. `quantum` is in scene units; without it, kDefaultQuantum times the longest side is used.
+// Throws Error(inputRefused) like makeLattice, and Error(invalidArgument) if the quantum is below
+// kReferenceMargin times the longest side.
 LatticeChoice makeQuantumLattice(const Bounds& bounds, std::uint32_t triangleCount,
                                  std::optional<double> quantum);
 
-// World to lattice space, in double precision: exactly the map that the shaders round.
+// Maps world space to lattice space in double precision: the exact map that the shaders round.
 glm::dvec3 toLattice(const Lattice& lattice, glm::vec3 position);
 
-// And back, by the same map.
+// The inverse of toLattice.
 glm::dvec3 toWorld(const Lattice& lattice, glm::dvec3 position);
 
-// A box of cells in world space, rounded to single precision: what it looks like, not what the march computes
-// with.
+// Returns a box of cells in world space, rounded to single precision. It is for display; the march does not
+// compute with it.
 Bounds worldBox(const Lattice& lattice, const CellBox& box);
 
-// kReferenceMargin in cells.
+// Returns kReferenceMargin in cells, per axis.
 glm::dvec3 referenceMargin(const Lattice& lattice);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-// Leaves and their triangles, whatever made them.
+// Leaves and the triangles that they list, independent of what made them.
 #pragma once
 #include "metamarch/shared/scene_layout.h"
 
@@ -9,8 +9,8 @@
 namespace metamarch {
 
 struct LeafList {
-    std::vector<Leaf> leaves;                 // [leafId]; their boxes tile the lattice
-    std::vector<std::uint32_t> leafTriangles; // triangle ids in leaf order, ascending within a leaf
+    std::vector<Leaf> leaves;                 // indexed by leafId; the boxes tile the lattice
+    std::vector<std::uint32_t> leafTriangles; // triangle ids in leaf order; they ascend within a leaf
 
     std::span<const std::uint32_t> trianglesOf(const Leaf& leaf) const {
         return std::span(leafTriangles).subspan(leaf.firstTriangle, leaf.triangleCount);

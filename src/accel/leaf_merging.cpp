@@ -29,7 +29,8 @@ class Merging {
         }
     }
 
-    // Leaf by leaf and axis by axis, until a whole round joins nothing. Each join leaves one part less.
+    // Joins leaf by leaf and axis by axis until a whole round joins nothing. The loop ends because each join
+    // removes one part.
     LeafList run() {
         for (bool joined = true; joined;) {
             joined = false;
@@ -45,7 +46,7 @@ class Merging {
     }
 
   private:
-    // Joins the part with the one above it where that pays.
+    // Joins the part with the part above it if that is no more expensive.
     bool joinAbove(const std::uint32_t partId, const int axis) {
         Part& part = parts[partId];
         if (part.box.hi[axis] == resolution[axis]) {
@@ -74,7 +75,7 @@ class Merging {
         return true;
     }
 
-    // Of the rays that cross it.
+    // Expected cost of the part, in triangle tests, up to a factor that is the same for all parts.
     double cost(const CellBox& box, const std::size_t references) const {
         return halfArea(glm::dvec3(box.hi - box.lo) * cellSize) * leafCost(references);
     }
@@ -104,9 +105,9 @@ class Merging {
 
     ivec3 resolution;
     glm::dvec3 cellSize;
-    std::vector<Part> parts; // [leafId]
+    std::vector<Part> parts; // indexed by leafId
     MetaTable table;
-    std::vector<std::uint32_t> mergedInto; // [leafId], itself while it stands
+    std::vector<std::uint32_t> mergedInto; // indexed by leafId; a part that still exists maps to itself
 };
 
 } // namespace

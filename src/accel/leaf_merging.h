@@ -1,11 +1,12 @@
-// Merging: two leaves that lie face to face become one where that costs a ray no more.
+// Merging: joins two leaves that share a face where that does not make rays more expensive.
 #pragma once
 #include "metamarch/accel/leaf_list.h"
 
 namespace metamarch {
 
-// Joins leaves of `list`, which tile the lattice, as long as two of them form a box and, by the surface area
-// heuristic, cost no more as one. What is left need not come from any kd-tree. Serial, and always the same.
+// Joins leaves of `list`, which tile the lattice, for as long as two of them together form a box and cost no
+// more as one leaf, by the surface area heuristic. No kd-tree need be able to produce the result. Serial and
+// deterministic.
 LeafList mergeLeaves(const Lattice& lattice, const LeafList& list);
 
 } // namespace metamarch

@@ -12,13 +12,13 @@
 namespace metamarch {
 namespace {
 
-constexpr std::uint32_t kNoLeaf = kMixed - 1u; // of bricks that are mixed, until they have their place
+constexpr std::uint32_t kNoLeaf = kMixed - 1u; // marks a mixed brick that has no place yet
 constexpr int kSide = kBrickSide;
 
-// Bricks that are filled at a time.
+// Number of bricks that are filled per batch.
 constexpr std::size_t kBatch = 1u << 12u;
 
-// Of the bricks that lie in [lo, hi), bricks too, rows along x: visit(first, count).
+// Calls visit(first, count) for each row, along x, of the bricks in [lo, hi), which is in bricks too.
 template <class Visit>
 void visitRows(const CellBox& box, const uvec3 bricks, const Visit& visit) {
     for (int z = box.lo.z; z < box.hi.z; ++z) {
@@ -45,13 +45,13 @@ class TableBuilder {
     }
 
   private:
-    // Those with a cell of the leaf.
+    // Returns the bricks that share at least one cell with the leaf.
     CellBox touchedBricks(const Leaf& leaf) const {
         const CellBox box = boxOf(leaf);
         return {box.lo / kSide, (box.hi + (kSide - 1)) / kSide};
     }
 
-    // Those without a cell of another.
+    // Returns the bricks that lie entirely in the leaf.
     CellBox wholeBricks(const Leaf& leaf) const {
         const CellBox box = boxOf(leaf);
         const auto ends = glm::equal(box.hi, resolution);
@@ -66,7 +66,7 @@ class TableBuilder {
         });
     }
 
-    // Calls visit(leafId, brick) for each leaf and mixed brick that have cells in common.
+    // Calls visit(leafId, brick) for each leaf and each mixed brick that share cells.
     template <class Visit>
     void visitMixed(const Visit& visit) const {
         for (std::uint32_t leafId = 0; leafId < leaves.size(); ++leafId) {
@@ -109,7 +109,7 @@ class TableBuilder {
         const auto at = static_cast<int>(mixed[mixedId]);
         const ivec3 counts(bricks);
         const ivec3 lo = kSide * ivec3(at % counts.x, at / counts.x % counts.y, at / (counts.x * counts.y));
-        brick.leafOfCell.fill(0); // outside the lattice
+        brick.leafOfCell.fill(0); // cells outside the lattice keep 0
         for (std::size_t i = firstLeaf[mixedId]; i < firstLeaf[mixedId + 1]; ++i) {
             const CellBox leaf = boxOf(leaves[leafIds[i]]);
             const CellBox part{max(leaf.lo - lo, 0), min(leaf.hi - lo, kSide)};
@@ -162,9 +162,9 @@ class TableBuilder {
     uvec3 bricks;
     std::span<const Leaf> leaves;
     std::vector<std::uint32_t> words;
-    std::vector<std::uint32_t> mixed;   // bricks, ascending
-    std::vector<std::size_t> firstLeaf; // [place in mixed], one more than those
-    std::vector<std::uint32_t> leafIds; // of mixed bricks
+    std::vector<std::uint32_t> mixed;   // indices of the mixed bricks, ascending
+    std::vector<std::size_t> firstLeaf; // indexed by place in `mixed`, with one more entry at the end
+    std::vector<std::uint32_t> leafIds; // leaves of each mixed brick
 };
 
 } // namespace

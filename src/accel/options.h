@@ -1,4 +1,4 @@
-// What a user may ask of tree and table.
+// What a user may choose about the tree and the table.
 #pragma once
 #include "metamarch/accel/partition.h"
 
@@ -7,26 +7,26 @@
 
 namespace metamarch {
 
-// How the table comes to its cells.
+// How the table gets its cells.
 enum class TableMethod {
-    unit,        // the paper's method 1: the unit length first, split planes at its multiples
-    gcd,         // its method 2: the planes first, then the greatest common divisor of them
-    rectilinear, // the planes as they are: a lattice of uneven cells, beside the tree of method 1
+    unit,        // method 1 of the paper: the unit length first, then split planes at its multiples
+    gcd,         // method 2 of the paper: the planes first, then their greatest common divisor
+    rectilinear, // the planes unchanged: a lattice of uneven cells, beside the kd-tree of method 1
 };
 
 struct AccelerationOptions {
-    std::optional<glm::dvec3> unit; // unit length of the lattice per axis, in scene units; > 0
-    std::optional<std::uint64_t>
-        cells; // wanted number of cells, where no unit is given; the lattice has about as many
-    std::optional<unsigned> treeDepth; // 0..kMaxTreeDepth
+    std::optional<glm::dvec3> unit;     // unit length of the lattice per axis, scene units; > 0
+    std::optional<std::uint64_t> cells; // approximate number of cells, if no unit is given
+    std::optional<unsigned> treeDepth;  // range 0..kMaxTreeDepth
     TableMethod table = TableMethod::unit;
-    std::optional<double> quantum{};      // of method 2, in scene units; > 0
-    bool exitBoxes = true;                // or a ray leaves each leaf by the leaf's own box
-    bool mergeLeaves = false;             // the table's, not the kd-tree's
-    std::optional<Partition> partition{}; // marched in place of the kd-tree's leaves; it gives the resolution
+    std::optional<double> quantum{}; // for TableMethod::gcd, scene units; > 0
+    bool exitBoxes = true;           // if false, a ray leaves each leaf through the leaf's own box
+    bool mergeLeaves = false;        // merges the leaves of the table, not those of the kd-tree
+    // Replaces the kd-tree's leaves in the march and gives the resolution.
+    std::optional<Partition> partition{};
 };
 
-// The paper's setting: kd-tree depth 16, and no exit boxes.
+// The paper's kd-tree depth. The paper has no exit boxes.
 inline constexpr unsigned kPaperTreeDepth = 16;
 
 } // namespace metamarch

@@ -29,7 +29,7 @@ void checkBox(const CellBox& box, const std::size_t boxId, const ivec3 resolutio
     }
 }
 
-// The leaf ids of the boxes that hold a cell of `rows`, ascending.
+// Returns the ids, ascending, of the leaves that hold a cell of `rows`.
 std::vector<std::uint32_t> leavesAt(const std::vector<RowOfCells>& rows, const MetaTable& table) {
     std::vector<std::uint32_t> leafIds;
     for (const RowOfCells& row : rows) {
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> leavesAt(const std::vector<RowOfCells>& rows, const M
 
 } // namespace
 
-// Each cell is written once before a box is refused, so that hostile lists end soon.
+// Writes each cell at most once before it refuses, so a hostile list cannot keep it busy.
 void checkTiling(const Partition& partition) {
     const uvec3 resolution = partition.resolution;
     std::vector<std::uint32_t> boxOfCell(std::size_t{resolution.x} * resolution.y * resolution.z, kNoBox);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The whole numbers of `values`, `count` of them and none over kMaxLatticeResolution.
+// Reads `values`, which must be `count` whole numbers from 0 to kMaxLatticeResolution.
 std::vector<int> readCells(const InputFile& file, const Json& values, const std::size_t count,
                            const std::string& name) {
     const auto isCell = [](const Json& value) {

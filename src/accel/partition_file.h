@@ -1,6 +1,7 @@
-// A user's partition as a file:
+// Reads a user's partition from a file:
 //   {"resolution": [3, 3, 1], "boxes": [[0, 0, 0, 2, 1, 1], ...]}
-// with the lattice's cells along x, y, z and of each box the first cell and the cell behind the last.
+// `resolution` is the number of cells along x, y and z. A box is its first cell and the cell behind its last
+// one.
 #pragma once
 #include "metamarch/accel/partition.h"
 
@@ -8,8 +9,8 @@
 
 namespace metamarch {
 
-// Throws Error(inputRefused), "<path>: <what>", for a file that cannot be read, is no such JSON or whose
-// boxes do not tile the lattice, and Error(outOfMemory) for a table over kTableBudget.
+// Throws Error(inputRefused), "<path>: <what>", if the file cannot be read, is not JSON of this form, or its
+// boxes do not tile the lattice; Error(outOfMemory) if the table would exceed kTableBudget.
 Partition readPartition(const std::filesystem::path& path);
 
 } // namespace metamarch

@@ -7,12 +7,12 @@
 namespace metamarch {
 namespace {
 
-// Buckets per cell at least, rounded up to a power of two. Their number doubles from there until no bucket
-// holds two planes, or there are the most of them.
+// Minimum number of buckets per cell; the total is rounded up to a power of two. It doubles until no bucket
+// holds two planes or kMostBuckets is reached.
 constexpr std::uint32_t kBucketsPerCell = 4;
-constexpr std::uint32_t kMostBuckets = 1u << 16u; // of an axis: 256 KiB
+constexpr std::uint32_t kMostBuckets = 1u << 16u; // per axis; they take 256 KiB
 
-// Planes in the bucket that holds most.
+// Returns the number of planes in the fullest bucket.
 std::uint32_t mostInABucket(const std::span<const float> planes, const float bucketsPerUnit,
                             const std::uint32_t lastBucket) {
     std::uint32_t most = 0;
@@ -58,8 +58,8 @@ void RectilinearPlanes::addBuckets(const int axis, const float extent) {
     shape.bucketsPerUnit[axis] = static_cast<float>(count) / extent;
     shape.firstBucket[axis] = static_cast<std::uint32_t>(cellOfBucket.size());
     shape.lastBucket[axis] = count - 1;
-    // Planes in lower buckets lie before every position of the bucket, whatever the rounding; the search goes
-    // on from there.
+    // All planes in lower buckets lie below every position in this bucket, whatever the rounding. The search
+    // starts from there.
     std::uint32_t cell = 0;
     for (std::uint32_t bucket = 0; bucket < count; ++bucket) {
         while (cell < planes.size() &&
@@ -109,7 +109,7 @@ std::optional<CellRange> RectilinearPlanes::touchedCells(const LatticeTriangle& 
     CellRange range;
     for (std::size_t i = 0; i < 3; ++i) {
         const int axis = static_cast<int>(i);
-        // The cell of a coordinate, within the box.
+        // Returns the cell of a coordinate, clamped to the box.
         const auto cellOf = [&](const double coordinate) {
             const auto first = allPlanes.begin() + shape.firstPlane[axis] + box.lo[i] + 1;
             const auto behind = std::upper_bound(first, first + (box.hi[i] - box.lo[i]), coordinate);

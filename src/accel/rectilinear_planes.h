@@ -1,4 +1,4 @@
-// The planes of a lattice of uneven cells, and how positions find their cells.
+// The planes of a lattice of uneven cells, and the search that finds the cell of a position.
 #pragma once
 #include "metamarch/accel/triangle_clip.h"
 #include "metamarch/shared/rectilinear.h"
@@ -12,8 +12,8 @@ namespace metamarch {
 
 class RectilinearPlanes {
   public:
-    // `inner` are the planes of each axis, in any order, between 0 and `extent`; those outside or there twice
-    // do not count. At most kMaxLatticeResolution - 1 are left.
+    // `inner` holds the planes of each axis, in any order. Duplicates and planes that do not lie between 0
+    // and `extent` are dropped. At most kMaxLatticeResolution - 1 per axis may remain.
     RectilinearPlanes(std::array<std::vector<float>, 3> inner, vec3 extent);
 
     const Rectilinear& layout() const { return shape; }
@@ -22,13 +22,14 @@ class RectilinearPlanes {
 
     float plane(int axis, int index) const;
 
-    // The number of a plane that the constructor was given; 0 or the resolution for one outside.
+    // Returns the index of a plane that the constructor was given; 0 or the resolution for a plane outside.
     std::uint32_t numberOf(int axis, float plane) const;
 
-    // As the shader searches: the last plane not behind each coordinate; may lie outside the lattice.
+    // Searches like the shader: finds, per axis, the last plane that is not behind the coordinate. The result
+    // may lie outside the lattice.
     ivec3 searchCell(vec3 position) const;
 
-    // touchedCells of this lattice.
+    // Does what touchedCells does, for this lattice.
     std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
                                           const glm::dvec3& margin) const;
 

@@ -16,7 +16,7 @@
 namespace metamarch {
 namespace {
 
-// Levels that are planned at first; twice as many while these and their planes fit.
+// Number of levels that are planned first. It doubles for as long as all of the levels and their planes fit.
 constexpr unsigned kFirstLevels = 12;
 
 std::vector<LatticeTriangle> cornersIn(const Lattice& lattice,
@@ -29,8 +29,8 @@ std::vector<LatticeTriangle> cornersIn(const Lattice& lattice,
     return corners;
 }
 
-// Calls visit(node, depth) for the inner nodes of a plan above `levels`. Recursion goes kMaxTreeDepth deep at
-// most.
+// Calls visit(node, depth) for each inner node of the plan whose depth is less than `levels`. The recursion
+// is at most kMaxTreeDepth deep.
 template <class Visit>
 void visitSplits(const SplitPlan& plan, const std::uint32_t nodeId, const unsigned depth,
                  const unsigned levels, const Visit& visit) {
@@ -50,7 +50,7 @@ RectilinearPlanes planesOf(const Lattice& lattice, const SplitPlan& plan, const 
     return RectilinearPlanes(std::move(planes), vec3(lattice.resolution));
 }
 
-// Cells on each axis, of trees that end after so many levels: [levels].
+// Returns the number of cells on each axis, indexed by the number of levels after which the tree is cut.
 std::vector<glm::dvec3> countCells(const SplitPlan& plan) {
     struct FirstUse {
         float plane;
@@ -63,7 +63,7 @@ std::vector<glm::dvec3> countCells(const SplitPlan& plan) {
     });
     std::vector<glm::dvec3> counts(plan.depth + 1, glm::dvec3(1.0));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::ranges::sort(uses[axis]); // a plane's least deep use first
+        std::ranges::sort(uses[axis]); // the shallowest use of a plane comes first
         const auto repeated = std::ranges::unique(uses[axis], {}, &FirstUse::plane);
         uses[axis].erase(repeated.begin(), repeated.end());
         for (const FirstUse& use : uses[axis]) {
@@ -80,7 +80,7 @@ bool fits(const glm::dvec3& counts, const double mostCells) {
            counts.x * counts.y * counts.z <= mostCells;
 }
 
-// Of levels 0 to counts.size() - 1; one cell always fits.
+// Considers 0 to counts.size() - 1 levels. With 0 levels there is one cell, which always fits.
 unsigned deepestThatFits(const std::vector<glm::dvec3>& counts, const double mostCells) {
     unsigned levels = 0;
     while (levels + 1 < counts.size() && fits(counts[levels + 1], mostCells)) {
@@ -91,7 +91,7 @@ unsigned deepestThatFits(const std::vector<glm::dvec3>& counts, const double mos
 
 struct ChosenPlan {
     SplitPlan plan;
-    unsigned levels; // of the plan to take
+    unsigned levels; // number of the plan's levels to use
 };
 
 constexpr double kMostCells = static_cast<double>(kTableBudget) / sizeof(std::uint32_t);
@@ -124,7 +124,7 @@ ChosenPlan choosePlan(const Lattice& lattice, const std::span<const LatticeTrian
     }
 }
 
-// The first `levels` of the plan, its planes by their numbers.
+// Copies the first `levels` levels of the plan and replaces its planes by their indices.
 void number(const SplitPlan& plan, const std::uint32_t nodeId, const unsigned levels,
             const RectilinearPlanes& planes, SplitPlan& numbered) {
     const PlannedNode& node = plan.nodes[nodeId];
@@ -152,7 +152,7 @@ RectilinearTable buildRectilinearTable(const Lattice& lattice,
     SplitPlan numbered;
     number(plan, 0, levels, result.planes, numbered);
 
-    // By their places among `triangles`, not by their ids.
+    // References name the place in `triangles`, not the triangle's id.
     std::vector<std::uint32_t> slots(triangles.size());
     std::iota(slots.begin(), slots.end(), 0u);
     const auto cellsOf = [&, margin = referenceMargin(lattice)](const LatticeTriangle& triangle,

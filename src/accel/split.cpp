@@ -9,7 +9,7 @@
 namespace metamarch {
 namespace {
 
-// Below this the three sweeps together take less time than handing them out.
+// With fewer references, sweeping the three axes serially is faster than distributing the work.
 constexpr std::size_t kParallelReferences = 1u << 14u;
 
 std::optional<Split> sweepAxis(const std::span<const TriangleReference> references, const CellRange& box,
@@ -19,7 +19,8 @@ std::optional<Split> sweepAxis(const std::span<const TriangleReference> referenc
     if (planes == 0) {
         return std::nullopt;
     }
-    // begins[i], ends[i]: references whose first, last cell is first + i. So every plane is counted exactly.
+    // begins[i] and ends[i] count the references whose first and last cell is first + i. With them the counts
+    // on both sides of every plane are exact.
     std::array<std::vector<std::uint32_t>, 2> histograms;
     auto& [begins, ends] = histograms;
     begins.resize(planes + 1);
@@ -37,7 +38,7 @@ std::optional<Split> sweepAxis(const std::span<const TriangleReference> referenc
     std::optional<Split> best;
     std::size_t below = 0;
     std::size_t above = references.size();
-    for (unsigned i = 0; i < planes; ++i) { // the plane between cells first + i and first + i + 1
+    for (unsigned i = 0; i < planes; ++i) { // the plane lies between cells first + i and first + i + 1
         below += begins[i];
         above -= ends[i];
         const double cost = costOf((i + 1) * cellSize[static_cast<int>(axis)], below, above);

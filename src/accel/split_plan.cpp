@@ -14,14 +14,14 @@
 namespace metamarch {
 namespace {
 
-// Planes are rounded to single precision later, by 2^-6 of the margin at most. Kept this much farther from
-// the triangles that end at them, they still do not cut these.
+// Planes are later rounded to single precision, which moves them by at most 2^-6 of the margin. With this
+// much extra room, a rounded plane still does not cut the triangle at whose end it lies.
 constexpr double kPlaneRoom = 1.0 + 0x1p-6;
 
-// References of a node below which one thread does the rest.
+// One thread builds a node with fewer references.
 constexpr std::size_t kSerial = 1u << 12u;
 
-// What a node has of a triangle.
+// The part of a triangle that lies in a node.
 struct Extent {
     std::uint32_t triangle;
     Box box; // grown by the margin
@@ -88,7 +88,7 @@ class Planner {
             }
         }
         const bool parallel = extents.size() > kSerial;
-        std::vector<Extent>().swap(extents); // the two halves need the memory
+        std::vector<Extent>().swap(extents); // free the memory; the two children need it
         if (parallel) {
             tbb::task_group tasks;
             tasks.run([&] { node->below = planNode(boxBelow, std::move(below), depth + 1); });
@@ -101,7 +101,7 @@ class Planner {
         return node;
     }
 
-    // Of equal costs the lowest axis and plane win.
+    // Among equal costs, the lowest axis and then the lowest plane win.
     std::optional<Plane> findPlane(const std::vector<Extent>& extents, const Box& box) const {
         std::array<std::optional<Plane>, 3> candidates;
         const auto sweep = [&](const unsigned axis) { candidates[axis] = sweepAxis(extents, box, axis); };
@@ -137,10 +137,10 @@ class Planner {
 
         const SplitCost costOf((box.hi - box.lo) * cellSize, axisId);
         std::optional<Plane> best;
-        std::size_t begun = 0; // before the plane
-        std::size_t ended = 0; // before or at the plane
+        std::size_t begun = 0; // number of extents that begin below the plane
+        std::size_t ended = 0; // number of extents that end below or at the plane
         for (std::size_t nextBegin = 0, nextEnd = 0; nextEnd < ends.size();) {
-            // The last to end has begun before: ends cannot run out first.
+            // The extent that ends last begins before it ends, so `begins` runs out before `ends` does.
             const bool isBegin = nextBegin < begins.size() && begins[nextBegin] <= ends[nextEnd];
             const double at = isBegin ? begins[nextBegin++] : ends[nextEnd++];
             while (begun < begins.size() && begins[begun] < at) {
@@ -167,7 +167,7 @@ class Planner {
     Box whole;
 };
 
-// Depth-first into the flat array. Recursion goes kMaxTreeDepth deep at most.
+// Appends the nodes to the flat array, depth-first. The recursion is at most kMaxTreeDepth deep.
 void flatten(const PlanNode& node, const unsigned depth, SplitPlan& plan) {
     plan.depth = std::max(plan.depth, depth);
     const std::size_t index = plan.nodes.size();

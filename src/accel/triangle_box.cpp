@@ -7,7 +7,7 @@
 namespace metamarch {
 namespace {
 
-// The next float not above (below) x.
+// Return the nearest float that is not above (below) x.
 float roundDown(const double x) {
     const auto rounded = static_cast<float>(x);
     return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;

@@ -1,5 +1,5 @@
-// Boxes around triangles, for hierarchies of boxes: in lattice space, so much larger that no rounding on the
-// way from a ray to a box can lose a hit.
+// Boxes around triangles, for box hierarchies. They are in lattice space and enlarged so that no rounding
+// between ray and box can lose a hit.
 #pragma once
 #include "metamarch/shared/scene_layout.h"
 
@@ -17,10 +17,10 @@ struct Box {
     }
 };
 
-// The triangle's box, grown by the lattice's referenceMargin.
+// Returns the triangle's box, grown by the lattice's referenceMargin.
 Box boxOf(const Lattice& lattice, const TriangleRecord& triangle);
 
-// The corners in single precision, rounded outwards.
+// The corners of a box in single precision, rounded outwards.
 vec3 lowCorner(const Box& box);
 vec3 highCorner(const Box& box);
 

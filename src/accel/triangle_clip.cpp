@@ -12,7 +12,7 @@ struct Polygon {
     std::size_t size = 0;
 };
 
-// Keeps the part where side * (p[axis] - plane) >= 0.
+// Keeps the part of the polygon where side * (p[axis] - plane) >= 0.
 void clip(Polygon& polygon, const int axis, const double plane, const double side) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size; ++i) {
@@ -87,7 +87,7 @@ std::vector<RowOfCells> touchedRows(const LatticeTriangle& triangle, const glm::
     for (std::uint16_t z = range->lo[2]; z <= range->hi[2]; ++z) {
         for (std::uint16_t y = range->lo[1]; y <= range->hi[1]; ++y) {
             const CellRange row{{range->lo[0], y, z}, {range->hi[0], y, z}};
-            // What the row holds of the triangle is convex: it touches one run of cells.
+            // The part of the triangle in the row is convex, so it touches one contiguous run of cells.
             if (const auto run = touchedCells(triangle, row, margin)) {
                 rows.push_back({run->lo[0], static_cast<std::uint16_t>(run->hi[0] + 1), y, z});
             }

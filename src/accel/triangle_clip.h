@@ -1,4 +1,4 @@
-// Which cells a triangle touches inside a box of cells, never one too few.
+// Finds the cells that a triangle touches inside a box of cells; it never misses one.
 #pragma once
 #include "metamarch/accel/triangle_box.h"
 
@@ -13,7 +13,7 @@ namespace metamarch {
 
 using CellCorner = std::array<std::uint16_t, 3>;
 
-// Cells lo..hi, both inclusive.
+// A range of cells; both ends are inclusive.
 struct CellRange {
     CellCorner lo;
     CellCorner hi;
@@ -21,17 +21,17 @@ struct CellRange {
 
 using LatticeTriangle = std::array<glm::dvec3, 3>; // corners in lattice space
 
-// The smallest box around what of the triangle lies in `box`, or nothing when nothing does. I. E. Sutherland,
-// G. W. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, in double precision.
+// Returns the smallest box around the part of the triangle that lies in `box`, or nothing if there is no such
+// part. I. E. Sutherland, G. W. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974, in double precision.
 std::optional<Box> clipTriangle(const LatticeTriangle& triangle, const Box& box);
 
-// The range of cells in the box lo..hi (inclusive) that come within `margin` (cells per axis) of the
-// triangle, or nothing when none does: clipped against the box grown by the margin, of which the roundings
-// are 2^-29.
+// Returns the range of cells in `box` that come within `margin` (in cells, per axis) of the triangle, or
+// nothing if there are none. The triangle is clipped against the box grown by the margin; the rounding errors
+// are 2^-29 of the margin.
 std::optional<CellRange> touchedCells(const LatticeTriangle& triangle, const CellRange& box,
                                       const glm::dvec3& margin);
 
-// Cells of one row along x.
+// A run of cells along x.
 struct RowOfCells {
     std::uint16_t x;
     std::uint16_t endX; // exclusive
@@ -39,8 +39,8 @@ struct RowOfCells {
     std::uint16_t z;
 };
 
-// All cells of a lattice that come within `margin` of the triangle, which lies inside; rows ascend by z, then
-// y.
+// Returns all cells of a lattice that come within `margin` (in cells, per axis) of the triangle, which must
+// lie inside the lattice. Rows ascend by z, then y.
 std::vector<RowOfCells> touchedRows(const LatticeTriangle& triangle, glm::uvec3 resolution,
                                     const glm::dvec3& margin);
 

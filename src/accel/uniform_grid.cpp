@@ -11,12 +11,12 @@
 namespace metamarch {
 namespace {
 
-// Cells per triangle: I. Wald, T. Ize, A. Kensler, A. Knoll, S. Parker, "Ray Tracing Animated Scenes Using
-// Coherent Grid Traversal", SIGGRAPH 2006, section 4 (lambda = 5).
+// Density in cells per triangle: I. Wald, T. Ize, A. Kensler, A. Knoll, S. Parker, "Ray Tracing Animated
+// Scenes Using Coherent Grid Traversal", SIGGRAPH 2006, section 4 (lambda = 5).
 constexpr double kGridDensity = 5.0;
 constexpr double kMostGridCells = 0x1p23; // 8 bytes each
 
-// Cells as near to cubes as the box allows.
+// Chooses cells that are as close to cubes as the box allows.
 uvec3 gridResolution(const Lattice& lattice) {
     const glm::dvec3 extent = glm::dvec3(lattice.resolution) / glm::dvec3(lattice.cellsPerUnit);
     const double cells = std::clamp(kGridDensity * lattice.triangleCount, 1.0, kMostGridCells);

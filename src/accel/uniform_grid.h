@@ -10,11 +10,11 @@ namespace metamarch {
 
 struct UniformGrid {
     Grid grid;
-    std::vector<GridCell> cells;           // [cellIndex]
-    std::vector<TriangleRecord> triangles; // a copy per reference, cell by cell, ascending ids in each
+    std::vector<GridCell> cells;           // indexed by cellIndex
+    std::vector<TriangleRecord> triangles; // one copy per reference, cell by cell; ids ascend within a cell
 };
 
-// Builds the grid over `triangles` in the box of `lattice`. Deterministic, parallel. Throws
+// Builds the grid over `triangles` in the box of `lattice`. Runs in parallel and is deterministic. Throws
 // Error(outOfMemory) for more than 2^30 references.
 UniformGrid buildUniformGrid(const Lattice& lattice, std::span<const TriangleRecord> triangles);
 
