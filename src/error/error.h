@@ -1,4 +1,4 @@
-// The one exception of the project.
+// The project's only exception.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -8,16 +8,17 @@
 namespace metamarch {
 
 enum class ErrorKind {
-    invalidArgument,   // a value out of range, or values that exclude each other
-    inputRefused,      // a file that cannot be read, or whose content is wrong
-    noDevice,          // no usable device, or the device was lost
+    invalidArgument,   // a value is out of range, or values exclude each other
+    inputRefused,      // a file cannot be read, or its content is wrong
+    noDevice,          // there is no usable device, or the device was lost
     outputNotWritable, // a file cannot be written
-    outOfMemory,       // out of memory, or over a limit
+    outOfMemory,       // memory ran out, or a limit was exceeded
     mismatch,          // two results that should agree do not
 };
 
-// One line for the user: what, where, and what to do about it. `settings` names the fields that the user may
-// change ("treeDepth"); each front end adds its own spelling of them ("--tree-depth").
+// The message is one line for the user: what is wrong, where, and what to do about it. `settings` names the
+// settings that the user may change ("treeDepth"); each front end translates them into its own spelling
+// ("--tree-depth").
 class Error : public std::runtime_error {
   public:
     Error(const ErrorKind errorKind, const std::string& line, std::vector<std::string> settingNames = {})

@@ -1,4 +1,4 @@
-// The file being imported: where its companions may lie, and the lines its user reads.
+// The file being imported: which companion files it may read, and the errors and warnings about it.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -11,26 +11,26 @@ namespace metamarch {
 
 class InputFile {
   public:
-    // Throws Error(inputRefused) unless the path names a regular file with something in it.
+    // Throws Error(inputRefused) unless the path names a regular file that is not empty.
     explicit InputFile(std::filesystem::path path);
 
     const std::filesystem::path& path() const { return path_; }
     std::vector<unsigned char> read() const;
 
-    // Whether `other`, with symbolic links followed, lies in this file's folder or below it. It need not
-    // exist.
+    // Whether `other`, after following symbolic links, lies in this file's folder or below it. `other` need
+    // not exist.
     bool isBeside(const std::filesystem::path& other) const;
 
-    // Where a name in this file leads, relative to its folder, and why what lies there may not be read: "is
-    // missing"; empty when it may.
+    // companion() resolves a name in this file relative to the file's folder. whyNotReadable() says why that
+    // file may not be read ("is missing"); empty if it may.
     std::filesystem::path companion(const std::string& name) const { return path_.parent_path() / name; }
     std::string whyNotReadable(const std::string& name) const;
 
-    // Both throw one line, "<path>: <what>": Error(inputRefused) and Error(outOfMemory).
+    // Both throw "<path>: <what>": refuse() as Error(inputRefused), refuseSize() as Error(outOfMemory).
     [[noreturn]] void refuse(const std::string& what) const;
     [[noreturn]] void refuseSize(const std::string& what) const;
 
-    // Keeps "<path>: <what>" for Scene::warnings; a line that was there before is not repeated.
+    // Stores "<path>: <what>" for Scene::warnings. A line that is already stored is not repeated.
     void warn(const std::string& what);
     std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
@@ -43,13 +43,13 @@ class InputFile {
     std::unordered_set<std::string> warned_;
 };
 
-// Nothing when the file cannot be read to its end.
+// Returns nothing if the file cannot be read completely.
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path);
 
-// ".png" of "wood.PNG"; empty when there is none.
+// Returns ".png" for "wood.PNG"; empty if the name has no ending.
 std::string lowerCaseEnding(const std::filesystem::path& path);
 
-// "mesh 'body'", or "mesh 4" for an element without a name.
+// Returns "mesh 'body'", or "mesh 4" for an element without a name.
 std::string elementName(const char* kind, const std::string& name, std::size_t index);
 
 } // namespace metamarch

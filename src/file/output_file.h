@@ -1,4 +1,4 @@
-// A file that appears under its name only when it is complete: never half a file.
+// An output file that appears under its name only when it is complete.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace metamarch {
 
-// Bytes go to a temporary file in the same folder; commit() renames it. Without a commit the temporary is
-// removed and whatever was there before stays. A symbolic link is followed; devices, pipes and folders are
-// refused, because a rename would replace them. Creating one and letting it go checks that the place is
-// writable. Errors: Error(outputNotWritable), from the constructor and from commit().
+// Writes to a temporary file in the same folder; commit() renames it. Without a commit the temporary file is
+// removed and an existing file stays as it is. Symbolic links are followed. Devices, pipes and folders are
+// refused, because a rename would replace them. To check that a path is writable, construct an OutputFile and
+// destroy it. The constructor and commit() throw Error(outputNotWritable).
 class OutputFile {
   public:
     explicit OutputFile(const std::filesystem::path& path);
@@ -19,8 +19,8 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    // Returns false on failure and from then on; the reason is kept for commit(). Never throws: image
-    // libraries call it from the inside.
+    // Returns false on failure and ever after; commit() reports the reason. Never throws, because image
+    // libraries call it.
     bool write(std::uint64_t offset, const void* data, std::size_t size) noexcept;
 
     bool failed() const { return firstErrno_ != 0; }

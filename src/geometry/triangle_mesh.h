@@ -1,4 +1,5 @@
-// Triangles as acceleration structures and judges take them: spans of positions and of vertex indices.
+// Triangles as acceleration structures and reference tracers take them: spans of positions and vertex
+// indices.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -6,7 +7,7 @@
 
 namespace metamarch {
 
-// A view: whoever owns the arrays must outlive it. Every index is in range and every position finite.
+// A view; the owner of the arrays must outlive it. Every index is in range and every position is finite.
 struct TriangleMesh {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles; // vertex indices, counter-clockwise seen from the front
@@ -17,7 +18,7 @@ struct Bounds {
     glm::vec3 hi;
 };
 
-// The box around every position that a triangle uses; `lo > hi` on every axis when there is no triangle.
+// Returns the box around all positions that triangles use; `lo > hi` on every axis if there are no triangles.
 Bounds boundsOf(const TriangleMesh& mesh);
 
 } // namespace metamarch
