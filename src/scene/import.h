@@ -1,4 +1,4 @@
-// Scene files to Scene.
+// Imports scene files.
 #pragma once
 #include "metamarch/scene/scene.h"
 
@@ -8,24 +8,25 @@
 
 namespace metamarch {
 
-// What of a file is wanted. Mesh files have neither variants nor animations.
+// What to import from a file. Mesh files have neither variants nor animations.
 struct ImportOptions {
-    // Multiplies every position, camera and length of a material (finite, not zero), and the intensity of
-    // point and spot lights by its square, so that the picture stays the same.
+    // Multiplies all positions, cameras and material lengths, and, by its square, the intensity of point and
+    // spot lights, so that the picture stays the same. Finite, not zero.
     float scale = 1.0f;
-    std::string variant{}; // of KHR_materials_variants; empty: the materials that the primitives name
-    // Seconds; every animation (or `animation` alone: a name or an index) poses the nodes at this time.
-    // Without it they stand as the file's nodes say.
+    // A variant of KHR_materials_variants; empty: the materials that the primitives name.
+    std::string variant{};
+    // The time in seconds at which all animations (or only `animation`, a name or an index) pose the nodes.
+    // Without it the nodes stay where the file puts them.
     std::optional<double> time{};
     std::string animation{};
-    bool allowMissingTextures = false; // warn where a texture cannot be read, and go on without it
+    bool allowMissingTextures = false; // if a texture cannot be read, warn and continue without it
 
     bool operator==(const ImportOptions&) const = default;
 };
 
-// Reads glTF 2.0 (.gltf, .glb) through tinygltf and OBJ, PLY, OFF, STL through Assimp; the ending decides.
-// Throws Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite,
-// and Error(invalidArgument), listing those that exist, for a variant or an animation that does not.
+// Reads glTF 2.0 (.gltf, .glb) with tinygltf and OBJ, PLY, OFF and STL with Assimp; the file's ending
+// decides. Throws Error(inputRefused), naming file and element, for anything unreadable, out of range or not
+// finite, and Error(invalidArgument), listing the existing ones, for an unknown variant or animation.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 } // namespace metamarch

@@ -1,5 +1,5 @@
-// Writes one mesh instance into a scene, in world space: the one place where importers' geometry becomes a
-// Scene.
+// Writes a mesh instance into a scene, in world space. All importers put their geometry into a Scene through
+// this.
 #pragma once
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/mesh_geometry.h"
@@ -12,21 +12,21 @@
 
 namespace metamarch {
 
-// Vertices and triangles a scene may have: one bit of the 32 stays free for whoever packs an index.
+// Limits of a scene. One of the 32 bits of an index stays free for code that packs indices.
 inline constexpr std::uint64_t kMaxVertices = std::uint64_t{1} << 31;
 inline constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 31;
 
 class InstanceWriter {
   public:
-    // `label` starts the lines about this mesh. A mirroring `toWorld` turns the triangles round, so that the
-    // front stays the front; a singular one is allowed.
+    // `label` starts the messages about this mesh. If `toWorld` mirrors, the triangles' winding is reversed
+    // so that front faces stay front faces. A singular `toWorld` is allowed.
     InstanceWriter(Scene& scene, InputFile& file, const std::string& name, std::string label,
                    const glm::dmat4& toWorld);
 
-    // Appends a part (glTF: a primitive), whose indices must have been checked; `label` starts its error
-    // lines. Throws Error(outOfMemory) when the scene would grow past kMaxVertices or kMaxTriangles, and
-    // Error(inputRefused) when a position in the world is not finite. Normals, texture coordinates, colours
-    // and tangents that are broken are replaced, which finish() says once for the mesh.
+    // Appends a part (in glTF, a primitive) whose indices have been checked; `label` starts its error
+    // messages. Throws Error(outOfMemory) if the scene would exceed kMaxVertices or kMaxTriangles, and
+    // Error(inputRefused) if a world-space position is not finite. Broken normals, texture coordinates,
+    // colours and tangents are replaced; finish() warns of them once for the mesh.
     void write(const std::string& label, const MeshGeometry& part, std::uint32_t material);
 
     void finish();

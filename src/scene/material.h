@@ -1,4 +1,4 @@
-// Materials, by glTF's names, units and defaults.
+// Materials, with glTF's names, units and defaults.
 #pragma once
 #include "metamarch/scene/texture.h"
 
@@ -13,9 +13,9 @@ namespace metamarch {
 
 enum class AlphaMode { opaque, mask, blend };
 
-// Every factor is finite (but for attenuationDistance) and in glTF's range, colours are linear. A texture
-// multiplies its factor, with the channels in brackets; textures whose use is a colour are the isSrgb ones.
-// Occlusion is not here: a path tracer finds its own.
+// All factors except attenuationDistance are finite and in glTF's range; colours are linear. A texture
+// multiplies its factor; the comment names the channels that count. Colour textures have isSrgb set. There is
+// no occlusion texture: a path tracer computes occlusion itself.
 struct Material {
     std::string name;
 
@@ -26,17 +26,17 @@ struct Material {
     float roughnessFactor = 1.0f;
     TextureRef metallicRoughnessTexture; // g: roughness, b: metallic
     TextureRef normalTexture;            // rgb * 2 - 1
-    float normalScale = 1.0f;            // of its x and y
+    float normalScale = 1.0f;            // scales the x and y of the normal map
     glm::vec3 emissiveFactor{0.0f};
     TextureRef emissiveTexture; // rgb
     AlphaMode alphaMode = AlphaMode::opaque;
-    float alphaCutoff = 0.5f; // of mask: below it there is nothing
+    float alphaCutoff = 0.5f; // for AlphaMode::mask: below it the surface is absent
     bool doubleSided = false;
 
-    bool unlit = false;            // KHR_materials_unlit: base colour is what is seen
+    bool unlit = false;            // KHR_materials_unlit: shows the base colour without shading
     float emissiveStrength = 1.0f; // KHR_materials_emissive_strength: emitted radiance is factor * strength
-    float ior = 1.5f;              // KHR_materials_ior: at least 1, or 0 for a dielectric that reflects all
-    float dispersion = 0.0f;       // KHR_materials_dispersion: 20 / Abbe number
+    float ior = 1.5f;        // KHR_materials_ior: at least 1, or 0 for a dielectric with a reflectance of 1
+    float dispersion = 0.0f; // KHR_materials_dispersion: 20 / Abbe number
 
     // KHR_materials_transmission
     float transmissionFactor = 0.0f;
@@ -48,11 +48,12 @@ struct Material {
     glm::vec3 diffuseTransmissionColorFactor{1.0f};
     TextureRef diffuseTransmissionColorTexture; // rgb
 
-    // KHR_materials_volume; lengths in world units
-    float thicknessFactor = 0.0f; // 0: a thin wall, no volume behind it; else the geometry bounds the volume
-    TextureRef thicknessTexture;  // g
+    // KHR_materials_volume; lengths in world units. Thickness 0 means a thin wall without a volume behind it,
+    // otherwise the mesh encloses a volume.
+    float thicknessFactor = 0.0f;
+    TextureRef thicknessTexture; // g
     float attenuationDistance = std::numeric_limits<float>::infinity();
-    glm::vec3 attenuationColor{1.0f}; // what is left of white light after attenuationDistance
+    glm::vec3 attenuationColor{1.0f}; // colour of white light after it travels attenuationDistance
 
     // KHR_materials_specular
     float specularFactor = 1.0f;
@@ -84,19 +85,20 @@ struct Material {
     TextureRef iridescenceTexture; // r
     float iridescenceIor = 1.3f;
     float iridescenceThicknessMinimum = 100.0f; // where the texture is 0
-    float iridescenceThicknessMaximum = 400.0f; // where it is 1, and without one
+    float iridescenceThicknessMaximum = 400.0f; // where the texture is 1, or without a texture
     TextureRef iridescenceThicknessTexture;     // g
 };
 
 inline constexpr std::size_t kTexturesOfMaterial = 18;
 
-// Every texture use of a material, for whoever treats them alike.
+// Returns every texture reference of a material, for code that treats them alike.
 std::array<TextureRef*, kTexturesOfMaterial> texturesOf(Material& material);
 
-// What lies in the tangent plane: a surface with such a material needs tangents.
+// Whether the material depends on a direction in the tangent plane, so that a surface with it needs tangents.
 bool needsTangents(const Material& material);
 
-// The set of texture coordinates that tangents follow: the normal map's, else that of what else needs them.
+// Returns the set of texture coordinates that the tangents follow: the normal map's, or, without one, that of
+// another texture that needs tangents.
 std::uint32_t texCoordOfTangents(const Material& material);
 
 } // namespace metamarch

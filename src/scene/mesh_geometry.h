@@ -11,22 +11,23 @@
 
 namespace metamarch {
 
-// Every array of vertices but the positions may be empty; else it is as long.
+// Each per-vertex array except positions may be empty; otherwise it is as long as positions.
 struct MeshGeometry {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; // of any length
+    std::vector<glm::vec3> normals; // any length
     std::array<std::vector<glm::vec2>, 2> texCoords;
     std::vector<glm::vec4> colors;
     std::vector<glm::vec4> tangents; // w is the sign of the bitangent
     std::vector<glm::uvec3> triangles;
 };
 
-// Throws Error(inputRefused), starting with `label`, unless every index of a triangle names a vertex.
+// Throws Error(inputRefused), with a message that starts with `label`, unless every triangle's indices name
+// vertices.
 void checkIndices(const InputFile& file, const std::string& label, const MeshGeometry& geometry);
 
-// Gives the vertices the tangents of MikkTSpace from a set of texture coordinates that is there. A vertex
-// whose triangles have different tangents there becomes several, the new ones behind the others. Indices must
-// have been checked.
+// Computes the vertices' tangents by MikkTSpace from a set of texture coordinates that must exist. If a
+// vertex's triangles have different tangents, it is split; the new vertices are appended. Indices must have
+// been checked.
 void addTangents(MeshGeometry& geometry, std::uint32_t texCoordSet);
 
 } // namespace metamarch

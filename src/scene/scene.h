@@ -1,5 +1,5 @@
-// A scene as every later part sees it: world-space triangles, materials, textures, lights, cameras. No file
-// format is left in it.
+// A scene as all later stages see it: world-space triangles, materials, textures, lights and cameras. Nothing
+// in it depends on a file format.
 #pragma once
 #include "metamarch/geometry/triangle_mesh.h"
 #include "metamarch/scene/material.h"
@@ -15,12 +15,12 @@ namespace metamarch {
 
 inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
-// One mesh of the file at one place of the node hierarchy (glTF: a mesh instanced twice makes two).
+// One mesh of the file at one place in the node hierarchy; a glTF mesh that two nodes use makes two.
 struct MeshInstance {
     std::string name;
 };
 
-// Looks along `forward`; the three axes are orthonormal and in world space.
+// The camera looks along `forward`. Right, up and -forward are orthonormal and in world space.
 struct SceneCamera {
     enum class Projection { perspective, orthographic };
 
@@ -29,55 +29,60 @@ struct SceneCamera {
     glm::vec3 eye{0.0f};
     glm::vec3 forward{0.0f, 0.0f, -1.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
-    float verticalFov = 0.8f;    // radians, perspective only
-    float verticalExtent = 2.0f; // height of the picture in world units, orthographic only
+    float verticalFov = 0.8f;    // radians; perspective only
+    float verticalExtent = 2.0f; // height of the picture, world units; orthographic only
 };
 
-// A light without extent (KHR_lights_punctual), in world space and glTF's units. A light's range is not kept:
-// it limits what a rasterizer has to draw, light itself knows no such end.
+// A light without extent (KHR_lights_punctual), in world space and glTF's units. The light's range is
+// dropped: it only limits what a rasterizer has to draw, and real light has no such limit.
 struct PunctualLight {
     enum class Type { directional, point, spot };
 
     std::string name;
     Type type = Type::point;
-    glm::vec3 color{1.0f};                  // linear, in [0, 1]
-    float intensity = 1.0f;                 // candela, of directional lux; at least 0
-    glm::vec3 position{0.0f};               // of point and spot
-    glm::vec3 direction{0.0f, 0.0f, -1.0f}; // where the light goes, unit length; of directional and spot
-    // Radians from `direction`, 0 <= inner <= outer <= pi / 2: full intensity inside, none outside.
+    glm::vec3 color{1.0f};    // linear, in [0, 1]
+    float intensity = 1.0f;   // candela, for directional lights lux; at least 0
+    glm::vec3 position{0.0f}; // point and spot only
+    // Direction in which light travels, unit length; directional and spot only.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};
+    // Radians from `direction`, 0 <= inner <= outer <= pi / 2. Full intensity inside the inner cone, none
+    // outside the outer.
     float innerConeAngle = 0.0f;
     float outerConeAngle = 0.785398163f; // pi / 4
 };
 
-// Per-vertex arrays are of one length, but that the optional ones are empty where no primitive has them;
-// per-triangle arrays are of one length. Every index is in range, every number finite: importers refuse or
-// mend anything else.
+// All per-vertex arrays have the same length, except that an optional one is empty if no primitive has it.
+// All per-triangle arrays have the same length. Every index is in range and every number is finite: importers
+// refuse or repair everything else.
 struct Scene {
     std::vector<glm::vec3> positions; // world space
-    std::vector<glm::vec3> normals; // unit length; zero where the file gives none: the triangle's own counts
+    // Unit length; zero where the file gives none, which means the triangle's normal.
+    std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texCoords;  // zero where the file gives none
-    std::vector<glm::vec2> texCoords1; // optional, as texCoords
-    std::vector<glm::vec4> colors; // optional, linear, multiplies the base colour; one where there is none
-    // Optional. xyz: unit length, world space, at a right angle to the normal only if the file says so; the
-    // bitangent, up in a normal map, is w * cross(normal, xyz), w = 1 or -1. Zero where there is none.
+    std::vector<glm::vec2> texCoords1; // optional; otherwise like texCoords
+    // Optional; linear; multiplies the base colour; 1 where the file gives none.
+    std::vector<glm::vec4> colors;
+    // Optional. xyz: unit length, world space, perpendicular to the normal only if the file says so. The
+    // bitangent, which points up in a normal map, is w * cross(normal, xyz) with w = 1 or -1. Zero where
+    // there is none.
     std::vector<glm::vec4> tangents;
 
     std::vector<glm::uvec3> triangles;           // vertex indices, counter-clockwise seen from the front
-    std::vector<std::uint32_t> triangleMesh;     // into meshes
-    std::vector<std::uint32_t> triangleMaterial; // into materials, or kNoMaterial
+    std::vector<std::uint32_t> triangleMesh;     // index into meshes
+    std::vector<std::uint32_t> triangleMaterial; // index into materials, or kNoMaterial
 
     std::vector<MeshInstance> meshes;
-    std::vector<Material> materials; // those that no triangle uses have no textures
-    std::vector<Texture> textures;   // those in use
+    std::vector<Material> materials; // a material that no triangle uses has no textures
+    std::vector<Texture> textures;   // only textures in use
     std::vector<TextureImage> images;
     std::vector<PunctualLight> lights;
     std::vector<SceneCamera> cameras;
-    std::vector<std::string> variants; // names that ImportOptions::variant may give, in file order
-    double animationSeconds = 0.0;     // when the last animation ends; 0: nothing moves
+    std::vector<std::string> variants; // valid names for ImportOptions::variant, in file order
+    double animationSeconds = 0.0;     // when the last animation ends; 0 if nothing moves
 
     std::vector<std::string> warnings; // one line each, for the user
 
-    // What acceleration structures are built over.
+    // The triangles, as acceleration structures take them.
     operator TriangleMesh() const { return {positions, triangles}; }
 };
 

@@ -1,4 +1,4 @@
-// The checked reader of glTF accessors.
+// Reads glTF accessors and checks them.
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -13,9 +13,10 @@ namespace metamarch {
 
 class GltfAccessor {
   public:
-    // Checks everything a later read relies on: indices of accessor, buffer views and buffers, offsets,
-    // stride, count, component type and sparse indices. `label` starts the error lines ("mesh 'body'
-    // primitive 0: POSITION"). `type` is the TINYGLTF_TYPE_… the use demands. Throws Error(inputRefused).
+    // Checks everything that later reads rely on: indices of accessor, buffer views and buffers, offsets,
+    // stride, count, component type and sparse indices. `label` starts the error messages ("mesh 'body'
+    // primitive 0: POSITION"). `type` is the TINYGLTF_TYPE_… that the caller needs. Throws
+    // Error(inputRefused).
     GltfAccessor(const tinygltf::Model& model, const InputFile& file, const std::string& label, int accessor,
                  int type);
 
@@ -23,17 +24,18 @@ class GltfAccessor {
     bool hasIntegers() const { return componentType_ != TINYGLTF_COMPONENT_TYPE_FLOAT; }
     bool hasUnsignedIntegers() const;
 
-    // Element `i < count()`. Normalised integers come in [0, 1] or [-1, 1], others as they are.
+    // Return element `i < count()`. Normalised integers are mapped to [0, 1] or [-1, 1]; other values are
+    // unchanged.
     double component(std::uint64_t i, int c) const;
     double scalar(std::uint64_t i) const { return component(i, 0); }
     glm::dvec2 vec2(std::uint64_t i) const { return {component(i, 0), component(i, 1)}; }
     glm::dvec3 vec3(std::uint64_t i) const { return {component(i, 0), component(i, 1), component(i, 2)}; }
     glm::dvec4 vec4(std::uint64_t i) const;
     glm::dmat4 mat4(std::uint64_t i) const;
-    std::uint32_t index(std::uint64_t i) const; // of a scalar accessor with unsigned integers
+    std::uint32_t index(std::uint64_t i) const; // for scalar accessors of unsigned integers
 
   private:
-    // Elements at `data + i * stride`; null data stands for zeros.
+    // Elements lie at `data + i * stride`. Null data means that all elements are zero.
     struct Span {
         const unsigned char* data = nullptr;
         std::uint64_t stride = 0;
@@ -54,7 +56,7 @@ class GltfAccessor {
     bool normalized_ = false;
     Span dense_;
     Span sparse_;
-    std::vector<std::uint32_t> sparseIndices_; // strictly increasing: which elements sparse_ replaces
+    std::vector<std::uint32_t> sparseIndices_; // strictly increasing; the elements that sparse_ replaces
 };
 
 } // namespace metamarch

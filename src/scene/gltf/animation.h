@@ -1,4 +1,4 @@
-// glTF animations: nodes as they stand at a time.
+// glTF animations: moves the nodes to their pose at a given time.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 
@@ -6,13 +6,15 @@
 
 namespace metamarch {
 
-// Sets translation, rotation, scale and weights of every animated node to their values at `seconds`: those of
-// the first or last key outside an animation's time. `animation` is the name or index of the one to play,
-// empty for all, the later ones having the last word. Throws Error(invalidArgument), listing the animations,
-// for one that does not exist, and Error(inputRefused) for one that is broken.
+// Sets translation, rotation, scale and weights of every animated node to their values at `seconds`. Outside
+// an animation's time range, the first or last keyframe counts. `animation` is the name or index of the
+// animation to play; if it is empty, all are played, and later ones override earlier ones. Throws
+// Error(invalidArgument), listing the animations, if it does not exist, and Error(inputRefused) if an
+// animation is broken.
 void poseNodes(GltfDocument& document, InputFile& file, const std::string& animation, double seconds);
 
-// When the last animation ends, by the files' own word: the greatest time of its samplers' accessors.
+// Returns when the last animation ends, in seconds: the greatest time that the file declares for the
+// accessors of its samplers.
 double animationSeconds(const GltfDocument& document);
 
 } // namespace metamarch

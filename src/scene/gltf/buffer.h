@@ -1,4 +1,4 @@
-// The bytes of glTF buffer views, checked.
+// The bytes of glTF buffer views, with bounds checks.
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -9,8 +9,8 @@
 
 namespace metamarch {
 
-// Throws Error(inputRefused), starting with `label`, when view or buffer do not exist or the view reaches
-// past its buffer.
+// Returns the bytes of a buffer view. Throws Error(inputRefused), with a message that starts with `label`, if
+// view or buffer does not exist or the view exceeds its buffer.
 std::span<const unsigned char> bytesOfView(const tinygltf::Model& model, const InputFile& file,
                                            const std::string& label, int view);
 

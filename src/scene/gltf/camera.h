@@ -1,4 +1,4 @@
-// glTF cameras, placed by their node.
+// glTF cameras, placed by their nodes.
 #pragma once
 #include "metamarch/scene/scene.h"
 
@@ -9,9 +9,9 @@
 
 namespace metamarch {
 
-// Looks along the node's -z axis. `toWorld` includes the import scale; of the node's own scale only the
-// directions count (glTF 2.0, 3.10.2). Sizes are multiplied by |scale|. Nothing when the camera's numbers or
-// its node's matrix define no picture; the name is left empty.
+// The camera looks along the node's -z axis. `toWorld` includes the import scale; from the rest of the node's
+// scale only the directions count (glTF 2.0, 3.10.2). Sizes are multiplied by |scale|. Returns nothing if the
+// camera's numbers or its node's matrix define no picture. The name is left empty.
 std::optional<SceneCamera> readCamera(const tinygltf::Camera& source, const glm::dmat4& toWorld,
                                       double scale);
 

@@ -1,4 +1,4 @@
-// From an untrusted .gltf or .glb to a model that is safe to walk.
+// Reads an untrusted .gltf or .glb into a model that is safe to traverse.
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -7,18 +7,18 @@
 
 namespace metamarch {
 
-// tinygltf holds buffers, accessors, meshes, nodes and cameras; `json` all that it would read without checks
-// or not at all: materials, textures, samplers, images, skins, animations and every extension, for
-// GltfElement.
+// tinygltf holds buffers, accessors, meshes, nodes and cameras. `json` holds what tinygltf would read without
+// checks or not at all: materials, textures, samplers, images, skins, animations and every extension.
+// GltfElement reads it.
 struct GltfDocument {
     tinygltf::Model model;
     nlohmann::json json;
 };
 
-// tinygltf trusts what it parses: it recurses as deep as the JSON does, cuts integers to 32 bits, falls back
-// to defaults where a type is wrong, and opens whatever a URI names. So the JSON is checked first, and
-// stripped of what tinygltf need not see, which then cannot do harm either. Throws Error(inputRefused).
-// Indices between elements are not checked here, their readers do that.
+// tinygltf trusts its input: it recurses as deep as the JSON does, truncates integers to 32 bits, uses
+// defaults where a type is wrong, and opens whatever a URI names. So this function checks the JSON first and
+// removes what tinygltf need not see. Throws Error(inputRefused). It does not check indices between elements;
+// their readers do.
 GltfDocument readGltf(InputFile& file);
 
 } // namespace metamarch

@@ -4,9 +4,9 @@
 
 namespace metamarch {
 
-// Gives every compressed primitive accessors over buffers of its own, so that it reads like any other: a list
-// of triangles with 32-bit indices. Throws Error(inputRefused) for data that Draco cannot decode or that does
-// not fit the primitive's accessors.
+// Gives every compressed primitive accessors over its own decoded buffers, so that it reads like any other
+// primitive: a triangle list with 32-bit indices. Throws Error(inputRefused) for data that Draco cannot
+// decode or that does not fit the primitive's accessors.
 void decompressDraco(GltfDocument& document, const InputFile& file);
 
 } // namespace metamarch

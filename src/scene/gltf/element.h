@@ -1,4 +1,4 @@
-// The checked reader of glTF's JSON: what it returns has the type, length and range that was asked for.
+// Reads glTF's JSON with checks: each value has the type, length and range that the caller asked for.
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -11,11 +11,11 @@
 
 namespace metamarch {
 
-// A JSON object of a glTF file, or the absence of one, which has no members. Every reader throws
-// Error(inputRefused), "<label>: <key> …", for a member of another type and for numbers that are not finite.
+// A JSON object of a glTF file. An absent object is represented too; it has no members. Every reader throws
+// Error(inputRefused), "<label>: <key> …", if a member has the wrong type or a number is not finite.
 class GltfElement {
   public:
-    // `json` must outlive it; null stands for an absent object. The file's root has an empty label.
+    // `json` must outlive the element; null means an absent object. The file's root has an empty label.
     GltfElement(const InputFile& file, std::string label, const nlohmann::json* json);
 
     const std::string& label() const { return label_; }
@@ -24,7 +24,8 @@ class GltfElement {
     double number(const char* key, double fallback) const;
     bool flag(const char* key, bool fallback) const;
     std::string text(const char* key, const std::string& fallback = "") const;
-    // An integer from 0 to 2^31 - 1; below `count`, the number of elements of that `kind` ("texture").
+    // integer() returns 0 to 2^31 - 1. index() returns an integer below `count`, the number of elements of
+    // that `kind` ("texture"). Both return nothing if the member is absent.
     std::optional<int> integer(const char* key) const;
     std::optional<int> index(const char* key, const char* kind, std::size_t count) const;
 
@@ -37,12 +38,12 @@ class GltfElement {
         return result;
     }
 
-    // A member, labelled "<label>: <key>"; without members when it is absent.
+    // Returns a member object, labelled "<label>: <key>". If it is absent, the result has no members.
     GltfElement object(const char* key) const;
-    // The members of a list, labelled by kind and name or place: "mesh 'body' primitive 0".
+    // Returns the objects of a list, labelled by kind and by name or index: "mesh 'body' primitive 0".
     std::vector<GltfElement> objects(const char* key, const char* kind) const;
     std::vector<int> integers(const char* key) const;
-    // Labelled "<label>: <name>".
+    // Returns the extension, labelled "<label>: <name>", or nothing if it is absent.
     std::optional<GltfElement> extension(const char* name) const;
 
     [[noreturn]] void refuse(const std::string& what) const;
@@ -52,7 +53,7 @@ class GltfElement {
     const nlohmann::json* member(const char* key) const;
     const nlohmann::json* list(const char* key) const;
     int checkedInteger(const char* key, const nlohmann::json& value) const;
-    std::vector<double> vectorOf(const char* key, std::size_t length) const; // empty when absent
+    std::vector<double> vectorOf(const char* key, std::size_t length) const; // empty if absent
 
     const InputFile* file_;
     std::string label_;

@@ -1,10 +1,10 @@
-// Which glTF extensions a file may require of us.
+// The glTF extensions that a file may require.
 #pragma once
 #include <string>
 
 namespace metamarch {
 
-// True for extensions that are read, and for those that say nothing of the scene.
+// Returns true for extensions that are read, and for those that do not affect the scene.
 bool isSupportedExtension(const std::string& name);
 
 } // namespace metamarch

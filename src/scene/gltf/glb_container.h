@@ -1,4 +1,4 @@
-// The two chunks of a .glb (glTF 2.0, section 4.4).
+// The two chunks of a .glb file (glTF 2.0, section 4.4).
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -15,11 +15,11 @@ struct ByteRange {
 
 bool isGlb(const std::vector<unsigned char>& bytes);
 
-// Where the JSON lies. Throws Error(inputRefused) unless header and chunk lengths agree with the file's size;
-// bytes behind the declared length are cut off.
+// Returns where the JSON lies. Throws Error(inputRefused) if the lengths of header and chunks do not agree
+// with the file's size. Cuts off bytes behind the declared length.
 ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes);
 
-// Puts other JSON in its place and mends the lengths.
+// Replaces the JSON by `text` and updates the lengths.
 void replaceGlbJson(const InputFile& file, std::vector<unsigned char>& bytes, ByteRange json,
                     const std::string& text);
 

@@ -1,4 +1,4 @@
-// glTF 2.0 to Scene.
+// Imports glTF 2.0 into a Scene.
 #pragma once
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/import.h"
@@ -6,7 +6,7 @@
 
 namespace metamarch {
 
-// `options` as in loadScene. Throws as loadScene; the warnings stay with the file.
+// Takes the same options and throws the same errors as loadScene. Warnings stay in `file`.
 Scene importGltf(InputFile& file, const ImportOptions& options);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-// EXT_mesh_gpu_instancing: one node, many places.
+// EXT_mesh_gpu_instancing: draws a node's mesh at many places.
 #pragma once
 #include "metamarch/scene/gltf/element.h"
 
@@ -9,8 +9,8 @@
 
 namespace metamarch {
 
-// From the mesh of a node to the node, for each instance; the identity alone without the extension. Throws
-// Error(inputRefused) for attributes of different counts.
+// Returns, for each instance, the transform from the mesh to the node; a single identity if the node lacks
+// the extension. Throws Error(inputRefused) if the attributes have different counts.
 std::vector<glm::dmat4> instanceMatrices(const tinygltf::Model& model, const InputFile& file,
                                          const GltfElement& node);
 

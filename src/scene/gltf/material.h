@@ -10,13 +10,12 @@ namespace metamarch {
 
 struct GltfMaterial {
     Material material; // its textures are indices into GltfTextures::textures()
-    // Which TEXCOORD_n of a primitive the material's texture coordinates 0 and 1 are.
+    // The TEXCOORD_n of a primitive that the material's texture coordinates 0 and 1 stand for.
     std::array<std::uint32_t, 2> texCoordSets = {0, 1};
 };
 
-// Factors outside their range are clamped to it; lengths are multiplied by |scale|. Throws
-// Error(inputRefused) for values of wrong types, and where more than two sets of texture coordinates are
-// wanted.
+// Clamps factors to their range and multiplies lengths by |scale|. Throws Error(inputRefused) if a value has
+// the wrong type or the material uses more than two sets of texture coordinates.
 GltfMaterial readMaterial(const GltfElement& source, const GltfTextures& textures, double scale);
 
 } // namespace metamarch

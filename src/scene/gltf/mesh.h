@@ -1,4 +1,4 @@
-// glTF meshes to geometry, primitive by primitive.
+// Reads the geometry of glTF meshes, primitive by primitive.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 #include "metamarch/scene/gltf/element.h"
@@ -12,31 +12,31 @@
 
 namespace metamarch {
 
-// A joint of a skin and its share in a vertex.
+// A joint of a skin and its weight for a vertex.
 struct JointInfluence {
     std::uint32_t joint = 0;
     float weight = 0.0f;
 };
 
-// One primitive, in the mesh's own space, morphed.
+// One primitive in the space of its mesh, with morph targets applied.
 struct GltfPart {
     std::string label;      // "mesh 'body' primitive 0"
-    std::uint32_t material; // or kNoMaterial
+    std::uint32_t material; // index, or kNoMaterial
     MeshGeometry geometry;
-    std::vector<JointInfluence> influences; // the same number for each vertex; empty without JOINTS_0
+    std::vector<JointInfluence> influences; // the same number for every vertex; empty without JOINTS_0
 };
 
 class GltfMeshes {
   public:
-    // `texCoordSets`: for each material of the file which TEXCOORD_n are its sets 0 and 1. `variant`: an
-    // index into the file's variants. All must outlive it.
+    // `texCoordSets` gives, for each material of the file, the TEXCOORD_n that are its sets 0 and 1.
+    // `variant` is an index into the file's variants. All arguments must outlive the object.
     GltfMeshes(const GltfDocument& document, InputFile& file,
                const std::vector<std::array<std::uint32_t, 2>>& texCoordSets, std::optional<int> variant);
 
-    // Every primitive that has triangles: lists, strips and fans, indexed or not. Points and lines get a
-    // warning. Morph targets are added with `weights`, or the mesh's own where it is empty. Tangents without
-    // normals are left out. Throws Error(inputRefused) for whatever does not fit together, and starting with
-    // `label` when there is no such mesh.
+    // Returns every primitive that has triangles: lists, strips and fans, indexed or not. Points and lines
+    // cause a warning. Morph targets are applied with `weights`, or with the mesh's own weights if that is
+    // empty. Tangents without normals are dropped. Throws Error(inputRefused) if anything is inconsistent or
+    // if there is no such mesh; the latter message starts with `label`.
     std::vector<GltfPart> read(int mesh, const std::vector<double>& weights, const std::string& label) const;
 
   private:

@@ -1,4 +1,4 @@
-// EXT_meshopt_compression, and KHR_meshopt_compression as far as it is the same.
+// EXT_meshopt_compression, and KHR_meshopt_compression as far as the two agree.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 
@@ -7,11 +7,12 @@ namespace metamarch {
 // Whether metamarch was built with meshoptimizer.
 bool canDecompressMeshopt();
 
-// Puts every compressed buffer view over a buffer of its own. Throws Error(inputRefused) for data that cannot
-// be decoded, and for a size that so few bytes cannot decode to. Does nothing without meshoptimizer.
+// Decodes every compressed buffer view into a buffer of its own. Throws Error(inputRefused) for data that
+// cannot be decoded, and for a decoded size that so few bytes cannot produce. Does nothing without
+// meshoptimizer.
 void decompressMeshopt(GltfDocument& document, const InputFile& file);
 
-// The extension of a buffer or buffer view, by either name.
+// Returns the extension of a buffer or buffer view, under either of its names.
 const nlohmann::json* meshoptExtension(const nlohmann::json& element);
 
 } // namespace metamarch

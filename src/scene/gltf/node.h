@@ -1,4 +1,4 @@
-// The node hierarchy of a glTF scene, flattened.
+// Flattens the node hierarchy of a glTF scene.
 #pragma once
 #include "metamarch/file/input_file.h"
 
@@ -14,13 +14,14 @@ struct PlacedNode {
     glm::dmat4 toWorld;
 };
 
-// Every node of the default scene (else of scene 0, else every root node), parents before their children,
-// with `root` applied last. Throws Error(inputRefused) for indices out of range, for a node that is reached
-// twice (a cycle, or two parents) and for a transform that is not 3, 4 or 16 numbers.
+// Returns every node of the default scene (without one: of scene 0; without scenes: of all root nodes).
+// Parents come before their children; `root` is applied last. Throws Error(inputRefused) for indices out of
+// range, for a node that is reached twice (a cycle, or two parents) and for a transform that does not have 3,
+// 4 or 16 numbers.
 std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile& file,
                                    const glm::dmat4& root);
 
-// Translation, rotation (a quaternion of any length but zero) and scale, in glTF's order.
+// Combines translation, rotation (a quaternion of any length but zero) and scale in glTF's order.
 glm::dmat4 composed(const glm::dvec3& translation, const glm::dvec4& rotationXyzw, const glm::dvec3& scale);
 
 } // namespace metamarch

@@ -12,24 +12,24 @@ namespace metamarch {
 
 class GltfSkins {
   public:
-    // `nodes` as placed, the import scale included. All must outlive it.
+    // `nodes` are the placed nodes, import scale included. All arguments must outlive the object.
     GltfSkins(const GltfDocument& document, const InputFile& file, const std::vector<PlacedNode>& nodes);
 
-    // From the space of a mesh to the world, for each joint of the skin. Throws Error(inputRefused), starting
-    // with `label` when there is no such skin, for joints that are not in the scene, and for inverse bind
-    // matrices that do not fit.
+    // Returns, for each joint of the skin, the transform from mesh space to world space. Throws
+    // Error(inputRefused) if there is no such skin (the message starts with `label`), if a joint is not in
+    // the scene, or if the inverse bind matrices do not fit.
     std::vector<glm::dmat4> matrices(int skin, const std::string& label) const;
 
   private:
     const GltfDocument& document_;
     const InputFile& file_;
     std::vector<GltfElement> skins_;
-    std::vector<const glm::dmat4*> toWorld_; // [node]; null outside the scene
+    std::vector<const glm::dmat4*> toWorld_; // indexed by node; null if the node is not in the scene
 };
 
-// Carries the part to the world, vertex by vertex with the mean of its joints' matrices. Triangles that
-// mirroring joints turn over are turned back. Throws Error(inputRefused) for a part without joints and for
-// joints that the skin does not have.
+// Transforms the part to world space; each vertex uses the weighted mean of its joints' matrices. Triangles
+// that mirroring joints turn over are turned back. Throws Error(inputRefused) if the part has no joints or
+// names a joint that the skin does not have.
 void applySkin(const InputFile& file, const std::vector<glm::dmat4>& matrices, GltfPart& part);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-// glTF textures: images, samplers, and how materials refer to them.
+// glTF textures: images, samplers and the references of materials to them.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 #include "metamarch/scene/gltf/element.h"
@@ -11,16 +11,16 @@ namespace metamarch {
 
 class GltfTextures {
   public:
-    // Throws Error(inputRefused) for samplers and images that do not exist and for filters and wrap modes
-    // that glTF does not know. `document` and `file` must outlive it and its sources.
+    // Throws Error(inputRefused) for samplers and images that do not exist and for unknown filters and wrap
+    // modes. `document` and `file` must outlive this object and its sources.
     GltfTextures(const GltfDocument& document, const InputFile& file);
 
-    // In the file's order, but that sources of textures without a readable image come last.
+    // Both are in the file's order, except that the sources of textures without a readable image come last.
     const std::vector<Texture>& textures() const { return textures_; }
     const std::vector<TextureSource>& sources() const { return sources_; }
 
-    // The texture that member `key` of `material` refers to, with KHR_texture_transform. `texture` is an
-    // index into textures(), `texCoord` the file's.
+    // Returns the texture that member `key` of `material` refers to, with KHR_texture_transform. `texture` is
+    // an index into textures(); `texCoord` is the file's.
     TextureRef ref(const GltfElement& material, const char* key, bool isSrgb) const;
 
   private:

@@ -1,4 +1,4 @@
-// OBJ, PLY, OFF and STL to Scene, through Assimp.
+// Imports OBJ, PLY, OFF and STL into a Scene, with Assimp.
 #pragma once
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/import.h"
@@ -8,10 +8,10 @@
 
 namespace metamarch {
 
-// `ending` is one of ".obj" ".ply" ".off" ".stl"; `options` as in loadScene. Polygons are triangulated,
-// degenerate faces kept. Vertices that the format shares but Assimp gives once per corner (OBJ, STL) are
-// joined again where all they have is equal. Throws as loadScene; a file without a triangle is refused, since
-// any text passes for an empty OBJ.
+// `ending` is one of ".obj" ".ply" ".off" ".stl"; `options` are those of loadScene. Polygons are
+// triangulated; degenerate faces are kept. Where Assimp splits shared vertices into one per corner (OBJ,
+// STL), vertices with equal attributes are joined again. Throws like loadScene. A file without triangles is
+// refused, because any text is a valid empty OBJ.
 Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions& options);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-// Materials of OBJ's material libraries, as Assimp reads them, to glTF's.
+// Converts materials of OBJ's material libraries, as Assimp reads them, to glTF's materials.
 #pragma once
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/material.h"
@@ -10,21 +10,22 @@
 
 namespace metamarch {
 
-// The textures of an OBJ's materials, collected: a texture for every way a file is used.
+// Collects the textures of an OBJ's materials: one for each way in which a file is used.
 class MtlTextures {
   public:
     explicit MtlTextures(InputFile& file) : file_(file) {}
 
-    // How the material looks in glTF's terms:
-    //   Kd, map_Kd        base colour of a dielectric; its alpha is d, map_d, and it blends where they are
-    //   given Ks, map_Ks        scale the 4 % that a dielectric reflects; black reflects nothing Ns
-    //   roughness: GGX's alpha is sqrt(2 / (Ns + 2)) (B. Walter, S. Marschner, H. Li,
+    // Converts a material to glTF's terms:
+    //   Kd, map_Kd        base colour of a dielectric
+    //   d, map_d          alpha of the base colour; if given, the material blends
+    //   Ks, map_Ks        scale the 4 % that a dielectric reflects; black reflects nothing
+    //   Ns                roughness: GGX's alpha is sqrt(2 / (Ns + 2)) (B. Walter, S. Marschner, H. Li,
     //                     K. Torrance, "Microfacet Models for Refraction through Rough Surfaces", 2007)
-    //   Ke, map_Ke        emission; map_Ke alone is as bright as it is
-    //   Pr, Pm, map_Pr, map_Pm   roughness and metallic, which put Ks and Ns aside
+    //   Ke, map_Ke        emission; map_Ke alone has factor 1
+    //   Pr, Pm, map_Pr, map_Pm   roughness and metallic; they override Ks and Ns
     //   norm              normal map
     //   illum 4, 6, 7, 9  glass: 1 - d is transmitted, with the index of refraction Ni; 6 and 7 refract
-    // Numbers outside their range are clamped. Bump, displacement and reflection maps get a warning.
+    // Numbers outside their range are clamped. Bump, displacement and reflection maps cause a warning.
     Material read(const aiMaterial& source);
 
     const std::vector<Texture>& textures() const { return textures_; }

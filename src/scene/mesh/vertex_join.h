@@ -1,4 +1,4 @@
-// Vertices that an importer gave once per corner, shared again.
+// Joins vertices that an importer has split into one per corner.
 #pragma once
 #include <assimp/mesh.h>
 
@@ -8,14 +8,15 @@
 namespace metamarch {
 
 struct JoinedVertices {
-    std::vector<std::uint32_t> kept;  // first of each group of equal vertices, in file order
-    std::vector<std::uint32_t> group; // [vertex], into kept
+    std::vector<std::uint32_t> kept;  // the first of each group of equal vertices, in file order
+    std::vector<std::uint32_t> group; // indexed by vertex; an index into kept
 };
 
-// Joins vertices equal in position and, with `whole`, in normal and texture coordinate too; -0 equals 0.
+// Joins vertices with equal positions and, if `whole`, also equal normals and texture coordinates. -0 equals
+// 0.
 JoinedVertices joinVertices(const aiMesh& mesh, bool whole);
 
-// Every vertex by itself.
+// Keeps every vertex separate.
 JoinedVertices keepVertices(const aiMesh& mesh);
 
 } // namespace metamarch

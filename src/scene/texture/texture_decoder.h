@@ -1,4 +1,4 @@
-// Encoded pictures in memory to texels.
+// Decodes images in memory to texels.
 #pragma once
 #include "metamarch/scene/texture.h"
 
@@ -8,20 +8,20 @@
 
 namespace metamarch {
 
-// Why a texture cannot be had, without its name: "is missing".
+// The reason why a texture is unavailable, without the texture's name: "is missing".
 class TextureFailure : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 struct DecodedTexture {
-    TextureImage image;    // its name is left empty
-    bool isLinear = false; // of a format that never encodes colours: OpenEXR, Radiance HDR
+    TextureImage image;    // the name is left empty
+    bool isLinear = false; // true for formats that never encode colours: OpenEXR, Radiance HDR
 };
 
-// Reads PNG, JPEG, WebP, OpenEXR, Radiance HDR, TIFF, BMP and GIF, known by their first bytes, and TGA, which
-// is known by nothing: it is tried for `ending` ".tga". Throws TextureFailure for anything else, for a
-// picture that is cut off, not finite or too large. May run on several threads at once.
+// Decodes PNG, JPEG, WebP, OpenEXR, Radiance HDR, TIFF, BMP and GIF, recognised by their first bytes. TGA has
+// no signature; it is tried if `ending` is ".tga". Throws TextureFailure for any other format and for a
+// picture that is truncated, not finite or too large. May run on several threads at once.
 DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::string& ending);
 
 } // namespace metamarch

@@ -1,4 +1,4 @@
-// The textures of a scene, read from where its file says they are.
+// Loads the textures of a scene from where its file says they are.
 #pragma once
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/scene.h"
@@ -14,27 +14,28 @@ struct TextureOverlay;
 // An image that textures may use.
 struct TextureSource {
     std::string name;   // "texture 'wood.png'", for messages
-    std::string ending; // ".png", in lower case; empty when there is none
-    // Encoded. Throws TextureFailure; called on any thread. Null stands for a white texel.
+    std::string ending; // ".png", in lower case; empty if there is none
+    // Returns the encoded image. Throws TextureFailure. May be called on any thread. Null means a white
+    // texel.
     std::function<std::vector<unsigned char>()> read;
-    std::vector<TextureOverlay> overlays{}; // in order
+    std::vector<TextureOverlay> overlays{}; // applied in order
 };
 
-// Replaces a channel of another image by what this one shows: its alpha where it has any, else its red. The
-// smaller of the two is enlarged without a filter.
+// Replaces a channel of another image by this image's alpha or, if it has none, its red. The smaller image is
+// enlarged without filtering.
 struct TextureOverlay {
-    TextureSource source; // its own overlays are not looked at
+    TextureSource source; // its own overlays are ignored
     int channel;
 };
 
-// Before: scene.textures holds every texture of the file, their `image` into `sources`, and every material
-// its references. After: textures and images are those that a triangle's material uses, decoded once each,
-// and all other materials have none. An image that cannot be read is refused by name; with `allowMissing` it
-// is warned of, and its uses are gone.
+// Before the call, scene.textures holds every texture of the file, each `image` is an index into `sources`,
+// and every material has its references. After it, the scene holds only textures and images of materials that
+// triangles use, each decoded once; other materials have no textures. An image that cannot be read is refused
+// by name; with `allowMissing` there is a warning and its references are removed.
 void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource>& sources,
                   bool allowMissing);
 
-// A source beside the scene's file; `name` relative to its folder.
+// Returns the source for an image file; `name` is relative to the scene file's folder.
 TextureSource fileSource(const InputFile& file, const std::string& name);
 
 } // namespace metamarch

@@ -1,5 +1,5 @@
-// WebP, by libwebp itself: OpenImageIO 2.4 multiplies a WebP's colours by their alpha, and what that rounds
-// away is gone.
+// Decodes WebP with libwebp directly: OpenImageIO 2.4 premultiplies a WebP's colours by alpha, and the
+// precision that this rounds away is lost.
 #pragma once
 #include "metamarch/scene/texture.h"
 
@@ -7,7 +7,7 @@
 
 namespace metamarch {
 
-// Throws TextureFailure, also where metamarch was built without libwebp.
+// Throws TextureFailure, also if metamarch was built without libwebp.
 TextureImage decodeWebp(std::span<const unsigned char> bytes);
 
 } // namespace metamarch
