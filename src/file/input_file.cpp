@@ -9,7 +9,8 @@
 namespace metamarch {
 namespace {
 
-// Libraries' messages and names in hostile files bring line breaks and terminal escapes along.
+// Replaces control characters: library messages and names in hostile files may contain line breaks and
+// terminal escapes.
 std::string oneLine(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
@@ -23,7 +24,7 @@ InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
     std::error_code failure;
     if (!std::filesystem::exists(path_, failure))
         refuse("no such file");
-    // Devices and pipes would be read for ever.
+    // Reading from a device or pipe might never end.
     if (!std::filesystem::is_regular_file(path_, failure))
         refuse("not a regular file");
     if (std::filesystem::file_size(path_, failure) == 0)
@@ -42,7 +43,8 @@ std::vector<unsigned char> InputFile::read() const {
 
 bool InputFile::isBeside(const std::filesystem::path& other) const {
     std::error_code failure;
-    // Absolute first: of a relative path none of whose folders exist weakly_canonical makes nothing better.
+    // Make the path absolute first: weakly_canonical leaves a relative path unchanged if none of its folders
+    // exist.
     const std::filesystem::path resolved =
         std::filesystem::weakly_canonical(std::filesystem::absolute(other), failure);
     if (failure)

@@ -16,7 +16,7 @@ namespace {
     throw Error(ErrorKind::outputNotWritable, "cannot write " + path.string() + ": " + reason);
 }
 
-// The file a rename has to replace: the target of a symbolic link, not the link.
+// Returns the file that the rename must replace: the target of a symbolic link, not the link.
 std::filesystem::path resolved(const std::filesystem::path& path) {
     std::error_code ignored;
     const std::filesystem::path target = std::filesystem::canonical(path, ignored);
@@ -80,7 +80,7 @@ bool OutputFile::write(std::uint64_t offset, const void* data, std::size_t size)
 }
 
 void OutputFile::commit() {
-    // Without the fsync a crash of the machine could leave the new name on an empty file.
+    // Without fsync, a system crash could leave the new name on an empty file.
     if (firstErrno_ == 0 && fsync(descriptor_) != 0)
         firstErrno_ = errno;
     if (close(std::exchange(descriptor_, -1)) != 0 && firstErrno_ == 0)

@@ -37,7 +37,7 @@ Scene loadScene(const std::filesystem::path& path, const ImportOptions& options)
     } catch (const std::length_error&) {
         file.refuseSize("not enough memory for the scene");
     } catch (const std::exception& failure) {
-        // The libraries throw what they like at broken files.
+        // The libraries throw various exceptions for broken files.
         file.refuse(failure.what());
     }
 }

@@ -9,7 +9,7 @@ namespace {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// Appends `convert` of each of `values`, of which there are `count` or none; where there are none, `missing`.
+// Appends `convert` of each of the `count` values. If `values` is empty, appends `missing` `count` times.
 template <class T, class Convert>
 void append(std::vector<T>& to, const std::vector<T>& values, std::size_t count, const T& missing,
             const Convert& convert) {
@@ -19,7 +19,8 @@ void append(std::vector<T>& to, const std::vector<T>& values, std::size_t count,
         to.insert(to.end(), count, missing);
 }
 
-// The same for an array that stays empty until some part has values; `before` vertices lie before this part.
+// Like append, for an array that stays empty until some part has values. `before` is the number of vertices
+// before this part.
 template <class T, class Convert>
 void appendOptional(std::vector<T>& to, const std::vector<T>& values, std::size_t count, std::size_t before,
                     const T& missing, const Convert& convert) {
@@ -97,15 +98,14 @@ glm::vec3 InstanceWriter::worldNormal(const glm::vec3& normal) {
         ++brokenNormals_;
         return glm::vec3(0.0f);
     }
-    // A singular transform can flatten a sound normal to nothing: the file is not at fault, so nothing is
-    // said.
+    // A singular transform can map a valid normal to zero. The file is not at fault, so there is no warning.
     const glm::dvec3 carried = normalToWorld_ * (glm::dvec3(normal) / length);
     const double carriedLength = glm::length(carried);
     return std::isfinite(carriedLength) && carriedLength > 0.0 ? glm::vec3(carried / carriedLength)
                                                                : glm::vec3(0.0f);
 }
 
-// In a mirror the bitangent changes sides.
+// A mirroring transform changes the sign of the bitangent.
 glm::vec4 InstanceWriter::worldTangent(const glm::vec4& tangent) {
     const glm::dvec3 direction(tangent);
     const double length = glm::length(direction);

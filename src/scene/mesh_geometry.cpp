@@ -16,7 +16,7 @@ glm::vec3 unitOrZero(const glm::vec3& v) {
     return length > 0.0f && std::isfinite(length) ? v / length : glm::vec3(0.0f);
 }
 
-// A vertex without a usable normal is shaded by its triangle's own.
+// A vertex without a valid normal gets the normal of its triangle.
 std::vector<TangentCorner> cornersOf(const MeshGeometry& geometry, std::uint32_t texCoordSet) {
     std::vector<TangentCorner> corners;
     corners.reserve(3 * geometry.triangles.size());
@@ -36,7 +36,7 @@ std::vector<TangentCorner> cornersOf(const MeshGeometry& geometry, std::uint32_t
     return corners;
 }
 
-// Appends a copy of every attribute of `vertex` but its tangent.
+// Appends a copy of all attributes of `vertex` except its tangent.
 void copyVertex(MeshGeometry& geometry, std::uint32_t vertex) {
     const auto copy = [vertex](auto& values) {
         if (!values.empty())
@@ -69,7 +69,7 @@ void addTangents(MeshGeometry& geometry, std::uint32_t texCoordSet) {
     std::vector<std::uint32_t> nextCopy(geometry.positions.size(), kNone);
     for (std::size_t i = 0; i < ofCorner.size(); ++i) {
         std::uint32_t& vertex = geometry.triangles[i / 3][static_cast<int>(i % 3)];
-        // Zero: the first corner here. No tangent is zero.
+        // A zero tangent marks a vertex that no corner has used yet; real tangents are never zero.
         while (tangents[vertex] != glm::vec4(0.0f) && tangents[vertex] != ofCorner[i]) {
             if (nextCopy[vertex] == kNone) {
                 nextCopy[vertex] = static_cast<std::uint32_t>(geometry.positions.size());
@@ -81,7 +81,7 @@ void addTangents(MeshGeometry& geometry, std::uint32_t texCoordSet) {
         }
         tangents[vertex] = ofCorner[i];
     }
-    std::ranges::replace(tangents, glm::vec4(0.0f), kAnyTangent); // of vertices in no triangle
+    std::ranges::replace(tangents, glm::vec4(0.0f), kAnyTangent); // vertices that no triangle uses
 }
 
 } // namespace metamarch

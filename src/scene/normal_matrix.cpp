@@ -7,8 +7,8 @@ namespace metamarch {
 
 bool isMirroring(const glm::dmat4& transform) { return glm::determinant(glm::dmat3(transform)) < 0.0; }
 
-// The cofactor matrix carries normals even where the linear part is singular and has no inverse. Scaled to
-// entries of at most 1, because only directions matter and products of tiny scales would underflow.
+// The cofactor matrix transforms normals even if the linear part is singular and has no inverse. Entries are
+// scaled to at most 1, because only directions matter and products of tiny scales would underflow.
 glm::dmat3 normalMatrix(const glm::dmat4& transform) {
     glm::dmat3 linear(transform);
     double largest = 0.0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-// The standard's test for zero, in single precision as all of it.
+// MikkTSpace's test for zero, in single precision like the rest of the algorithm.
 bool isNotZero(float x) { return std::abs(x) > std::numeric_limits<float>::min(); }
 
 glm::vec3 normalized(const glm::vec3& v) {
@@ -22,24 +22,25 @@ glm::vec3 normalized(const glm::vec3& v) {
     return isNotZero(length) ? v * (1.0f / length) : v;
 }
 
-// What is left of v in the plane of the normal, at unit length.
+// Projects v into the plane perpendicular to the normal and normalises it.
 glm::vec3 inPlane(const glm::vec3& v, const glm::vec3& normal) {
     return normalized(v - normal * glm::dot(normal, v));
 }
 
 struct Face {
-    glm::vec3 alongS{0.0f};        // where s grows, unit length
-    bool turnsLikeTexture = false; // counter-clockwise in texture space too
-    bool joinsAny = true;          // no area in texture space: belongs to whichever group asks first
-    std::array<std::uint32_t, 3> neighbor = {kNone, kNone, kNone}; // across the edge from corner i to i + 1
-    std::array<bool, 3> grouped = {false, false, false};           // corner i
+    glm::vec3 alongS{0.0f};        // unit vector along which s grows
+    bool turnsLikeTexture = false; // whether the corners are counter-clockwise in texture space too
+    bool joinsAny = true;          // has no area in texture space; joins whichever group reaches it first
+    // The face across the edge from corner i to i + 1.
+    std::array<std::uint32_t, 3> neighbor = {kNone, kNone, kNone};
+    std::array<bool, 3> grouped = {false, false, false}; // whether corner i is in a group
 };
 
 struct Edge {
     std::uint32_t lo, hi; // vertices
     std::uint32_t face;
-    std::uint32_t corner; // where it starts
-    bool reversed;        // starts at hi
+    std::uint32_t corner; // where the edge starts
+    bool reversed;        // the edge starts at hi
 
     bool operator<(const Edge& other) const {
         return std::tie(lo, hi, face, corner) < std::tie(other.lo, other.hi, other.face, other.corner);
@@ -71,14 +72,14 @@ class TangentSpace {
 
     struct KeyHash {
         std::size_t operator()(const Key& key) const {
-            std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, a word at a time
+            std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, one word at a time
             for (const std::uint32_t word : key)
                 hash = (hash ^ word) * 0x100000001b3u;
             return static_cast<std::size_t>(hash ^ (hash >> 32));
         }
     };
 
-    // One corner of one face, in a group.
+    // One corner of a face in a group.
     struct Member {
         std::uint32_t face;
         std::uint32_t corner;
@@ -91,7 +92,7 @@ class TangentSpace {
         return corners_[3 * face + corner];
     }
 
-    // Corners that are equal get the same vertex; -0 equals 0.
+    // Gives equal corners the same vertex; -0 equals 0.
     void weld() {
         std::unordered_map<Key, std::uint32_t, KeyHash> known;
         for (const TangentCorner& c : corners_) {
@@ -117,7 +118,7 @@ class TangentSpace {
         const glm::vec2 t2 = c.texCoord - a.texCoord;
         const glm::vec3 d1 = b.position - a.position;
         const glm::vec3 d2 = c.position - a.position;
-        const float area = t1.x * t2.y - t1.y * t2.x; // twice, signed
+        const float area = t1.x * t2.y - t1.y * t2.x; // twice the signed area
         face.turnsLikeTexture = area > 0.0f;
         if (!isNotZero(area))
             return face;
@@ -131,8 +132,8 @@ class TangentSpace {
         return face;
     }
 
-    // Two faces are neighbours across an edge that they run through in opposite directions; of three and more
-    // on one edge each finds at most one.
+    // Two faces are neighbours if they traverse a shared edge in opposite directions. If three or more faces
+    // share an edge, each gets at most one neighbour.
     void linkNeighbors() {
         std::vector<Edge> edges;
         for (std::uint32_t face = 0; face < faces_.size(); ++face) {
@@ -152,9 +153,10 @@ class TangentSpace {
         }
     }
 
-    // In order, each with the first later one of the other direction that is still free.
+    // Goes through the edges in order. Each is linked to the first later edge of the opposite direction that
+    // is still free.
     void linkEdges(std::span<const Edge> edges) {
-        std::array<std::vector<Edge>, 2> free; // [reversed], in order, later ones behind
+        std::array<std::vector<Edge>, 2> free; // indexed by reversed; oldest first
         std::array<std::size_t, 2> next = {0, 0};
         for (const Edge& edge : edges) {
             const std::size_t other = edge.reversed ? 0 : 1;
@@ -168,8 +170,9 @@ class TangentSpace {
         }
     }
 
-    // The faces round a corner that are reached over edges, turn as the first one does, and are in no group
-    // yet. Which group gets a face that joins any is the one thing that depends on the order of the faces.
+    // Returns the faces around a corner that can be reached across edges, have the same orientation as the
+    // first face and are in no group yet. The order of the faces matters in one place only: which group gets
+    // a face with joinsAny.
     std::vector<Member> collectGroup(std::uint32_t firstFace, std::uint32_t firstCorner) {
         const std::uint32_t center = vertex(firstFace, firstCorner);
         const bool turns = faces_[firstFace].turnsLikeTexture;
@@ -198,8 +201,7 @@ class TangentSpace {
         return group;
     }
 
-    // The mean of the faces' tangents in the plane of the normal, weighted by the faces' angles in that
-    // plane.
+    // Averages the faces' tangents in the plane of the normal, weighted by the faces' angles in that plane.
     void evaluate(std::vector<Member> group) {
         std::ranges::sort(group, {}, &Member::face);
         glm::vec3 sum(0.0f);
@@ -214,15 +216,16 @@ class TangentSpace {
             sum += inPlane(face.alongS, c.normal) * std::acos(cosine);
         }
         glm::vec3 tangent = normalized(sum);
-        if (!(glm::dot(tangent, tangent) > 0.0f)) // nor a number
+        if (!(glm::dot(tangent, tangent) > 0.0f)) // zero or NaN
             tangent = glm::vec3(1.0f, 0.0f, 0.0f);
         for (const auto [index, corner] : group)
             tangents_[3 * index + corner] = glm::vec4(tangent, faces_[index].turnsLikeTexture ? 1.0f : -1.0f);
     }
 
-    // Triangles that are no surface take what a surface at the same vertex has.
+    // Degenerate triangles take the tangents of a non-degenerate triangle at the same vertex.
     void finishDegenerates() {
-        std::unordered_map<std::uint32_t, std::uint32_t> sound; // vertex to the first corner of a surface
+        // Vertex to its first corner in a non-degenerate triangle.
+        std::unordered_map<std::uint32_t, std::uint32_t> sound;
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
             if (!isDegenerate(i / 3))
                 sound.try_emplace(vertices_[i], i);
@@ -236,7 +239,7 @@ class TangentSpace {
 
     std::span<const TangentCorner> corners_;
     std::vector<glm::vec4> tangents_;
-    std::vector<std::uint32_t> vertices_; // [corner]
+    std::vector<std::uint32_t> vertices_; // indexed by corner
     std::vector<Face> faces_;
 };
 

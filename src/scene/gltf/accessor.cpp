@@ -9,13 +9,14 @@
 namespace metamarch {
 namespace {
 
-// Above any count a scene can use; below it, products with strides and offsets stay inside 64 bits.
+// More elements than any scene can use. Below this, products with strides and offsets fit into 64 bits.
 constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 33;
 
-// Zeros that no byte of the file stands for: a longer run is an attack, not a mesh.
+// Limit of elements that are zero without any bytes in the file. A longer run is an attack rather than a
+// mesh.
 constexpr std::uint64_t kMaxImpliedElements = std::uint64_t{1} << 24;
 
-// 0 for a type that glTF 2.0 does not have.
+// Returns the size in bytes, 0 for a type that glTF 2.0 does not have.
 std::uint64_t sizeOfComponent(int componentType) {
     switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -32,7 +33,7 @@ std::uint64_t sizeOfComponent(int componentType) {
     }
 }
 
-// Buffers promise no alignment.
+// Buffers guarantee no alignment.
 template <typename T>
 T load(const unsigned char* bytes) {
     T value;
@@ -40,7 +41,7 @@ T load(const unsigned char* bytes) {
     return value;
 }
 
-// glTF 2.0, 3.11: c / 255, max(c / 127, -1) and so on.
+// Normalises integers as in glTF 2.0, 3.11: c / 255, max(c / 127, -1) and so on.
 template <typename T>
 double loadInteger(const unsigned char* bytes, bool normalized) {
     const double value = static_cast<double>(load<T>(bytes));
@@ -108,8 +109,8 @@ GltfAccessor::Span GltfAccessor::checkedSpan(const tinygltf::Model& model, int v
     if (stride < elementSize)
         refuse(viewLabel + ": stride " + std::to_string(stride) + " is less than an element of " +
                std::to_string(elementSize) + " bytes");
-    // The view's length is at most a real buffer's size; dividing keeps count and offset, which may be
-    // anything, from wrapping.
+    // The view's length is at most the size of a real buffer. Count and offset may be anything, so divide
+    // rather than multiply: that cannot wrap around.
     if (offset > bytes.size() || bytes.size() - offset < elementSize ||
         (bytes.size() - offset - elementSize) / stride < count - 1)
         refuse(viewLabel + ": " + std::to_string(count) + " elements at offset " + std::to_string(offset) +

@@ -33,10 +33,10 @@ glm::dquat toQuaternion(const Value& xyzw) {
 
 Value toValue(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
 
-// The keys of one property of one node.
+// The keyframes of one property of one node.
 class Track {
   public:
-    // `path` as glTF names it: "translation", "rotation", "scale" or "weights".
+    // `path` is glTF's name of the property: "translation", "rotation", "scale" or "weights".
     Track(const GltfDocument& document, const InputFile& file, const GltfElement& sampler,
           const std::string& path)
         : interpolation_(readInterpolation(sampler)), isRotation_(path == "rotation"),
@@ -83,7 +83,7 @@ class Track {
         return *accessor;
     }
 
-    // Of a cubic spline: the tangent of arrival, the value, the tangent of departure.
+    // A keyframe of a cubic spline has three values: the in-tangent, the value and the out-tangent.
     std::uint64_t valuesOfKey() const { return interpolation_ == Interpolation::cubicSpline ? 3 : 1; }
 
     Value key(std::size_t i) const {
@@ -99,7 +99,7 @@ class Track {
         return numbers;
     }
 
-    // glTF 2.0, appendix C.5.
+    // Evaluates the spline of glTF 2.0, appendix C.5.
     Value spline(std::size_t last, double t, double duration) const {
         const double t2 = t * t;
         const double t3 = t2 * t;
@@ -137,7 +137,7 @@ std::vector<GltfElement> selectAnimations(const std::vector<GltfElement>& animat
     return {animations[chooseIndex("animation", names, selection)]};
 }
 
-// Nothing for a property that glTF 2.0 itself does not animate.
+// Returns null for a property that core glTF 2.0 cannot animate.
 Value* property(tinygltf::Node& node, const std::string& path) {
     if (path == "translation")
         return &node.translation;

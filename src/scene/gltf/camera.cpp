@@ -7,7 +7,7 @@
 namespace metamarch {
 namespace {
 
-// Nothing for a vector without a direction.
+// Returns nothing for a vector that has no direction.
 std::optional<glm::dvec3> direction(const glm::dvec3& v) {
     const double length = glm::length(v);
     if (!std::isfinite(length) || length == 0.0)
@@ -20,7 +20,7 @@ bool place(SceneCamera& camera, const glm::dmat4& toWorld) {
     const std::optional<glm::dvec3> upward = direction(glm::dvec3(toWorld[1]));
     if (!forward || !upward)
         return false;
-    // A sheared node has no orthonormal axes of its own: the view keeps its direction, up gives way.
+    // The axes of a sheared node are not orthonormal: keep the view direction and adjust up.
     const std::optional<glm::dvec3> up = direction(*upward - *forward * glm::dot(*forward, *upward));
     camera.eye = glm::vec3(toWorld[3]);
     if (!up || !std::isfinite(glm::length(glm::dvec3(camera.eye))))

@@ -18,10 +18,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The deepest path glTF 2.0 needs is about ten; below this, recursion over the JSON is harmless.
+// glTF 2.0 needs a nesting depth of about ten. Up to this limit, recursion over the JSON is harmless.
 constexpr int kMaxJsonDepth = 64;
 
-// tinygltf keeps these in 64 bits, and every other integer in 32. 2^53: what JSON promises to carry exactly.
+// tinygltf keeps these members in 64 bits and every other integer in 32. JSON promises to carry integers up
+// to 2^53 exactly.
 constexpr std::array<std::string_view, 4> kSizeKeys = {"byteLength", "byteOffset", "byteStride", "count"};
 constexpr std::uint64_t kMaxSize = std::uint64_t{1} << 53;
 
@@ -29,7 +30,8 @@ constexpr std::array<std::string_view, 13> kIndexKeys = {
     "attributes", "buffer", "bufferView", "camera", "children", "componentType", "indices",
     "material",   "mesh",   "mode",       "nodes",  "scene",    "skin"};
 
-// What GltfElement reads instead of tinygltf, and what both read: for the extensions.
+// kElementKeys are read by GltfElement in place of tinygltf; kSharedKeys by both, because of their
+// extensions.
 constexpr std::array<const char*, 7> kElementKeys = {"animations", "extensions", "images",  "materials",
                                                      "samplers",   "skins",      "textures"};
 constexpr std::array<const char*, 3> kSharedKeys = {"bufferViews", "meshes", "nodes"};
@@ -55,7 +57,7 @@ Json parseJson(const InputFile& file, const unsigned char* begin, const unsigned
     }
 }
 
-// `where` is the path so far ("accessors[3].count"), `key` the nearest enclosing name.
+// `where` is the path so far ("accessors[3].count"); `key` is the nearest enclosing name.
 void checkIntegers(const InputFile& file, const Json& value, std::string_view key, const std::string& where) {
     const bool isSize = contains(kSizeKeys, key);
     if (value.is_object()) {
@@ -107,8 +109,8 @@ void checkExtensions(InputFile& file, const Json& root) {
         file.warn("extensionsUsed: ignoring " + unknown);
 }
 
-// Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for the
-// decoded bytes of others has none to read: one byte takes its place.
+// Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for
+// decoded bytes has no URI; it gets a single byte instead.
 void checkBufferUris(const InputFile& file, Json& root) {
     const auto buffers = root.find("buffers");
     if (buffers == root.end())
@@ -124,7 +126,7 @@ void checkBufferUris(const InputFile& file, Json& root) {
     }
 }
 
-// tinygltf wants the indices of a primitive in a buffer view even where they are compressed.
+// tinygltf requires the indices of a primitive to have a buffer view even if they are compressed.
 void eraseCompressedIndices(Json& root) {
     const auto meshes = root.find("meshes");
     if (meshes == root.end())
@@ -148,8 +150,7 @@ void eraseExtensions(Json& value) {
     }
 }
 
-// Elements that must be objects; a member of a wrong type would otherwise throw deep inside a library,
-// unnamed.
+// These elements must be objects; otherwise a library would throw without naming the element.
 void checkObjects(const InputFile& file, const Json& root) {
     for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
                             "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
@@ -162,7 +163,7 @@ void checkObjects(const InputFile& file, const Json& root) {
     }
 }
 
-// Moves what tinygltf need not see out of `root`, and returns it.
+// Removes from `root` what tinygltf need not see, and returns it.
 Json takeElements(Json& root) {
     Json elements = Json::object();
     for (const char* key : kElementKeys) {
@@ -178,7 +179,7 @@ Json takeElements(Json& root) {
     return elements;
 }
 
-// The elements, and in `text` what is left for tinygltf.
+// Returns the elements; `text` receives the JSON that remains for tinygltf.
 Json checkedJson(InputFile& file, Json root, std::string& text) {
     checkVersion(file, root);
     checkExtensions(file, root);
@@ -223,7 +224,7 @@ GltfDocument readGltf(InputFile& file) {
     } catch (const Json::exception& failure) {
         file.refuse(std::string("not glTF: ") + failure.what());
     }
-    // tinygltf goes on after some errors, for one by dropping the primitive it was in.
+    // tinygltf continues after some errors; after one of them it drops the primitive with the error.
     if (!parsed || !errors.empty())
         file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
     decompressMeshopt(document, file);

@@ -12,7 +12,7 @@
 namespace metamarch {
 namespace {
 
-// Appends a buffer with a view over it, and returns the view's index.
+// Appends a buffer and a view of it; returns the view's index.
 int addView(tinygltf::Model& model, std::vector<unsigned char> bytes) {
     tinygltf::BufferView view;
     view.buffer = static_cast<int>(model.buffers.size());
@@ -27,7 +27,7 @@ int addAccessor(tinygltf::Model& model, tinygltf::Accessor accessor) {
     return static_cast<int>(model.accessors.size()) - 1;
 }
 
-// Every point's value, converted to T; nothing when Draco cannot.
+// Returns the values of all points, converted to T, or nothing if Draco cannot convert them.
 template <class T>
 std::optional<std::vector<unsigned char>> valuesOf(const draco::Mesh& mesh,
                                                    const draco::PointAttribute& attribute) {
@@ -65,7 +65,7 @@ std::optional<std::vector<unsigned char>> valuesOf(int componentType, const drac
 
 class DracoPrimitive {
   public:
-    // `accessors`: those of the file, before decoded ones were added.
+    // `accessors` is the number of accessors in the file, without those added for decoded data.
     DracoPrimitive(tinygltf::Model& model, std::size_t accessors, const InputFile& file,
                    const GltfElement& extension, tinygltf::Primitive& primitive)
         : model_(model), accessors_(accessors), file_(file), extension_(extension), primitive_(primitive) {}

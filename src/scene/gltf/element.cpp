@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Also in single precision, which is what becomes of it.
+// The number must also be finite in single precision, to which it is converted later.
 bool isFiniteNumber(const Json& value) {
     return value.is_number() && std::isfinite(static_cast<float>(value.get<double>()));
 }

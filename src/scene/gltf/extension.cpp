@@ -26,7 +26,7 @@ constexpr auto kExtensions = std::to_array<std::string_view>({
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
-    // about the file, not about the scene
+    // These describe the file, not the scene.
     "KHR_xmp",
     "KHR_xmp_json_ld",
 #ifdef METAMARCH_MESHOPT

@@ -60,7 +60,8 @@ ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
     if (binaryLength > length - json.end - kChunkHeaderSize)
         file.refuse("GLB chunk 1 of " + std::to_string(binaryLength) + " bytes reaches past the GLB length " +
                     std::to_string(length));
-    // Later chunks are for extensions we do not have; so is a chunk 1 of another type, or an empty one.
+    // Drop later chunks: they belong to extensions that we do not support. The same holds for a second chunk
+    // of another type or without content.
     const bool hasBinary = loadWord(bytes, json.end + 4) == kBinChunk && binaryLength > 0;
     bytes.resize(hasBinary ? json.end + kChunkHeaderSize + binaryLength : json.end);
     return json;

@@ -122,7 +122,7 @@ class GltfImporter {
         std::vector<GltfPart> parts = meshes.read(source.mesh, source.weights, label);
         std::vector<glm::dmat4> toWorld = {glm::dmat4(1.0)};
         if (source.skin >= 0) {
-            // The joints place a mesh, not its node.
+            // A skinned mesh is placed by its joints, not by its node.
             const std::vector<glm::dmat4> joints = skins.matrices(source.skin, label);
             for (GltfPart& part : parts)
                 applySkin(file_, joints, part);
@@ -144,7 +144,7 @@ class GltfImporter {
         }
     }
 
-    // Where the material needs them and the file has none.
+    // Adds tangents if the material needs them and the file has none.
     void giveTangents(GltfPart& part) const {
         if (part.material == kNoMaterial || !part.geometry.tangents.empty())
             return;
@@ -160,7 +160,7 @@ class GltfImporter {
     GltfElement root_;
     std::vector<GltfElement> nodes_;
     std::vector<GltfElement> lights_;
-    std::vector<std::array<std::uint32_t, 2>> texCoordSets_; // [material]
+    std::vector<std::array<std::uint32_t, 2>> texCoordSets_; // indexed by material
     Scene scene_;
 };
 

@@ -66,7 +66,7 @@ class MaterialReader {
         if (const auto specular = source_.extension("KHR_materials_specular")) {
             m.specularFactor = factor(*specular, "specularFactor", 1.0);
             m.specularTexture = textures_.ref(*specular, "specularTexture", false);
-            // The one colour that may pass 1: it scales the reflectance that the index of refraction gives.
+            // The only colour that may exceed 1: it scales the reflectance given by the index of refraction.
             m.specularColorFactor = glm::vec3(
                 glm::clamp(specular->vector<3>("specularColorFactor", glm::dvec3(1.0)), 0.0, kLargest));
             m.specularColorTexture = textures_.ref(*specular, "specularColorTexture", true);
@@ -144,18 +144,18 @@ class MaterialReader {
         return factor(source.object(texture), "scale", 1.0, -kLargest, kLargest);
     }
 
-    // May be infinite, as the default of attenuationDistance is.
+    // The result may be infinite, like the default of attenuationDistance.
     float length(const GltfElement& source, const char* key, double fallback) const {
         return static_cast<float>(std::max(source.number(key, fallback), 0.0) * unit_);
     }
 
     const GltfElement& source_;
     const GltfTextures& textures_;
-    double unit_; // one of the file's lengths in the world
+    double unit_; // world units per unit of length of the file
     Material material_;
 };
 
-// Gives the file's sets of texture coordinates the numbers 0 and 1.
+// Renumbers the file's sets of texture coordinates as 0 and 1.
 void renumberTexCoords(const GltfElement& source, GltfMaterial& read) {
     std::vector<std::uint32_t> sets;
     for (TextureRef* ref : texturesOf(read.material)) {

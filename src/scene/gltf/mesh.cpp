@@ -11,14 +11,14 @@
 namespace metamarch {
 namespace {
 
-// Triangles that `count` vertices or indices make.
+// Returns the number of triangles that `count` vertices or indices make.
 std::uint64_t triangleCount(int mode, std::uint64_t count) {
     if (mode == TINYGLTF_MODE_TRIANGLES)
         return count / 3;
     return count < 3 ? 0 : count - 2;
 }
 
-// Positions in the vertex or index list of triangle `i`'s corners (glTF 2.0, 3.7.2.1).
+// Returns the positions of triangle `i`'s corners in the vertex or index list (glTF 2.0, 3.7.2.1).
 glm::u64vec3 corners(int mode, std::uint64_t i) {
     switch (mode) {
     case TINYGLTF_MODE_TRIANGLE_STRIP:
@@ -50,7 +50,7 @@ class PartReader {
         : model_(model), file_(file), primitive_(primitive), weights_(weights), texCoordSets_(texCoordSets),
           part_(part) {}
 
-    // False, with a warning, when there is nothing to render.
+    // Returns false, after a warning, if there is nothing to render.
     bool read() {
         if (primitive_.mode >= TINYGLTF_MODE_POINTS && primitive_.mode <= TINYGLTF_MODE_LINE_STRIP) {
             file_.warn(part_.label + ": points and lines are not rendered");
@@ -82,7 +82,7 @@ class PartReader {
             geometry.tangents = readTangents();
     }
 
-    // Vertex attributes with their morph targets; empty when the primitive has none of the name.
+    // Returns a vertex attribute with morph targets applied; empty if the primitive does not have it.
     template <int N>
     std::vector<glm::vec<N, float>> attribute(const std::string& name) {
         std::vector<glm::vec<N, float>> values = read<N>(primitive_.attributes, name, part_.label);
@@ -110,7 +110,7 @@ class PartReader {
         return values;
     }
 
-    // A weight of 0 leaves its target unread.
+    // Targets with weight 0 are not read.
     template <int N>
     void morph(const std::string& name, std::vector<glm::vec<N, float>>& values) {
         for (std::size_t t = 0; t < std::min(weights_.size(), primitive_.targets.size()); ++t) {
@@ -138,7 +138,7 @@ class PartReader {
         return colors;
     }
 
-    // Targets move a tangent's direction and leave its sign.
+    // Morph targets change a tangent's direction and keep its sign.
     std::vector<glm::vec4> readTangents() {
         std::vector<glm::vec4> tangents = read<4>(primitive_.attributes, "TANGENT", part_.label);
         std::vector<glm::vec3> directions(tangents.begin(), tangents.end());
@@ -176,7 +176,7 @@ class PartReader {
         return indices;
     }
 
-    // JOINTS_n and WEIGHTS_n of every n, vertex by vertex.
+    // Reads JOINTS_n and WEIGHTS_n for every n, vertex by vertex.
     void readInfluences() {
         std::size_t sets = 0;
         while (primitive_.attributes.contains("JOINTS_" + std::to_string(sets)))
@@ -199,7 +199,7 @@ class PartReader {
     }
 
     JointInfluence influence(std::size_t vertex, float joint, float weight) const {
-        constexpr float kMostJoints = 65536.0f; // an unsigned short
+        constexpr float kMostJoints = 65536.0f; // range of an unsigned short
         if (!(joint >= 0.0f && joint < kMostJoints) || !(weight >= 0.0f && std::isfinite(weight)))
             file_.refuse(part_.label + ": joint or weight of vertex " + std::to_string(vertex) +
                          " is negative or not finite");
@@ -212,10 +212,10 @@ class PartReader {
     const std::vector<double>& weights_;
     const std::array<std::uint32_t, 2>& texCoordSets_;
     GltfPart& part_;
-    std::uint64_t count_ = 0; // of vertices
+    std::uint64_t count_ = 0; // number of vertices
 };
 
-// The material that KHR_materials_variants gives the primitive, or its own.
+// Returns the material that KHR_materials_variants assigns to the primitive, or else its own.
 std::uint32_t materialOf(const GltfElement& primitive, std::optional<int> variant, std::size_t materials) {
     std::optional<int> material = primitive.index("material", "material", materials);
     const auto extension = primitive.extension("KHR_materials_variants");

@@ -25,7 +25,8 @@ const nlohmann::json* meshoptExtension(const nlohmann::json& element) {
 
 namespace {
 
-// What a byte of the densest of the three codecs (vertices, 2 bits for 16 zeros) can stand for.
+// Most decoded bytes per encoded byte: those of the densest of the three codecs (vertices, 2 bits for 16
+// zeros).
 constexpr std::uint64_t kMostBytesOfOne = 64;
 
 class MeshoptView {
@@ -72,7 +73,7 @@ class MeshoptView {
         return static_cast<std::uint64_t>(*value);
     }
 
-    // What the decoders take for granted.
+    // Checks what the decoders take for granted.
     void checkSizes() const {
         const bool isIndices = mode_ == "TRIANGLES" || mode_ == "INDICES";
         if (!isIndices && !isAttributes())

@@ -77,7 +77,7 @@ std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile
         }
     };
 
-    // Not recursive, so that depth costs no stack; it ends because no node is taken twice.
+    // Iterative, so that deep hierarchies use no call stack. The loop ends because no node is taken twice.
     push(rootNodes(model, file), root, "scene");
     while (!pending.empty()) {
         const PlacedNode next = pending.back();

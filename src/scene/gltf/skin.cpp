@@ -9,7 +9,8 @@
 namespace metamarch {
 namespace {
 
-// Weights sum to 1 but for rounding; where they are all zero the first joint has the vertex.
+// Returns the weighted mean of the joints' matrices. Weights sum to 1 except for rounding; if all are zero,
+// the first joint alone counts.
 glm::dmat4 meanMatrix(std::span<const JointInfluence> influences, const std::vector<glm::dmat4>& matrices) {
     glm::dmat4 sum(0.0);
     double weights = 0.0;

@@ -79,7 +79,8 @@ TextureSource readImage(const GltfDocument& document, const InputFile& file, con
     return {label, "", readView};
 }
 
-// The image of a texture; an extension's comes before the one for those that do not know it.
+// Returns the image of a texture. An extension's image is preferred to the fallback for readers without the
+// extension.
 std::optional<int> sourceOf(const GltfElement& texture, std::size_t images) {
     const std::optional<GltfElement> webp = texture.extension("EXT_texture_webp");
     if (webp && isSupportedExtension("EXT_texture_webp")) {
@@ -94,7 +95,7 @@ TextureSource noSource(const std::string& label) {
             []() -> std::vector<unsigned char> { throw TextureFailure("has no image of a known format"); }};
 }
 
-// The specification's translation * rotation * scale, a rotation by positive angles turning what is seen
+// Returns the specification's translation * rotation * scale. Positive angles rotate the visible image
 // clockwise.
 glm::mat3x2 readTransform(const GltfElement& transform) {
     const glm::dvec2 offset = transform.vector<2>("offset", glm::dvec2(0.0));

@@ -6,7 +6,8 @@
 namespace metamarch {
 namespace {
 
-// tinygltf knows a handful of media types; the bytes are the same under any. Nothing where it is not base64.
+// Replaces the media type, because tinygltf knows only a few and the bytes are the same for all. Returns
+// nothing if the URI is not base64.
 std::optional<std::string> octetStream(const std::string& dataUri) {
     const std::size_t encoding = dataUri.find(";base64,");
     if (encoding == std::string::npos || encoding > dataUri.find(','))
@@ -14,8 +15,8 @@ std::optional<std::string> octetStream(const std::string& dataUri) {
     return "data:application/octet-stream" + dataUri.substr(encoding);
 }
 
-// tinygltf turns '+' into a space and bad escapes into anything. With every unusual byte escaped it can only
-// arrive at the name that was checked.
+// tinygltf turns '+' into a space and decodes bad escapes arbitrarily. If every unusual byte is escaped, it
+// can only arrive at the name that was checked.
 std::string percentEncoded(const std::string& name) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string encoded;

@@ -23,7 +23,7 @@
 namespace metamarch {
 namespace {
 
-// An OBJ names its material library; it is read only from the scene's folder.
+// An OBJ names its material library. This class lets Assimp read it only from the scene's folder.
 class FolderIo : public Assimp::DefaultIOSystem {
   public:
     explicit FolderIo(InputFile& file) : file_(file) {}
@@ -47,8 +47,8 @@ class FolderIo : public Assimp::DefaultIOSystem {
     InputFile& file_;
 };
 
-// Assimp tries every importer it has when the one for the ending fails; only that one may see an untrusted
-// file.
+// If the importer for the file's ending fails, Assimp tries all others. Only that one importer may see an
+// untrusted file.
 void keepOnlyImporter(Assimp::Importer& importer, const std::string& ending) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         Assimp::BaseImporter* candidate = importer.GetImporter(i);
@@ -56,7 +56,7 @@ void keepOnlyImporter(Assimp::Importer& importer, const std::string& ending) {
         candidate->GetExtensionList(endings);
         if (endings.contains(ending.substr(1)))
             continue;
-        importer.UnregisterLoader(candidate); // which leaves it to us
+        importer.UnregisterLoader(candidate); // this makes us the owner
         delete candidate;
     }
 }
@@ -79,7 +79,7 @@ class MeshImporter {
     }
 
   private:
-    // Of these formats only OBJ has materials; the others get one from Assimp, and so does an OBJ without.
+    // Only OBJ has materials. For other formats, and for an OBJ without materials, Assimp makes one up.
     void addMaterials() {
         materials_.assign(source_.mNumMaterials, kNoMaterial);
         for (std::uint32_t i = 0; i < source_.mNumMaterials; ++i) {
@@ -124,7 +124,8 @@ class MeshImporter {
         writer.finish();
     }
 
-    // STL has one normal per facet, which the triangle has anyway and which would keep its vertices apart.
+    // STL has one normal per facet. It equals the triangle's normal and would prevent vertices from being
+    // joined.
     MeshGeometry readVertices(const aiMesh& mesh, const std::vector<std::uint32_t>& kept) const {
         const bool hasNormals = mesh.HasNormals() && ending_ != ".stl";
         const bool hasTexCoords = mesh.HasTextureCoords(0);
@@ -137,12 +138,13 @@ class MeshImporter {
                                               mesh.mNormals[vertex].z);
             if (hasTexCoords)
                 geometry.texCoords[0].emplace_back(mesh.mTextureCoords[0][vertex].x,
-                                                   1.0f - mesh.mTextureCoords[0][vertex].y); // OBJ's go up
+                                                   // OBJ's v points up.
+                                                   1.0f - mesh.mTextureCoords[0][vertex].y);
         }
         return geometry;
     }
 
-    // An index out of range stays one, for checkIndices to name.
+    // Leaves an index that is out of range as it is, so that checkIndices reports it.
     static std::uint32_t joinedIndex(const JoinedVertices& vertices, const aiFace& face, int corner) {
         const std::uint32_t index = face.mIndices[corner];
         return index < vertices.group.size() ? vertices.group[index] : index;
@@ -154,11 +156,11 @@ class MeshImporter {
     const ImportOptions& options_;
     MtlTextures textures_;
     glm::dmat4 toWorld_;
-    std::vector<std::uint32_t> materials_; // [Assimp's index]
+    std::vector<std::uint32_t> materials_; // indexed by Assimp's material index
     Scene scene_;
 };
 
-// OBJ is read as far as it goes: it has no counts and no end to check.
+// OBJ has no counts and no end marker to check.
 std::optional<MeshCounts> checkMesh(const InputFile& file, const std::string& ending) {
     const std::vector<unsigned char> bytes = file.read();
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -171,7 +173,7 @@ std::optional<MeshCounts> checkMesh(const InputFile& file, const std::string& en
     return std::nullopt;
 }
 
-// A last defence against the two readers of a file not reading it alike.
+// A last safeguard in case our checker and Assimp read a file differently.
 void compareCounts(const InputFile& file, const aiScene& source, const MeshCounts& checked) {
     MeshCounts found;
     for (std::uint32_t i = 0; i < source.mNumMeshes; ++i) {
@@ -184,8 +186,8 @@ void compareCounts(const InputFile& file, const aiScene& source, const MeshCount
                     " and " + std::to_string(found.faces) + " can be used");
 }
 
-// Triangulation reads whatever an index names, and aborts where a polygon without corners leaves it nothing
-// to do.
+// Assimp's triangulation does not check indices, and aborts if a polygon without corners leaves it nothing to
+// do.
 void checkFaces(const InputFile& file, const aiScene& source) {
     for (std::uint32_t i = 0; i < source.mNumMeshes; ++i) {
         const aiMesh& mesh = *source.mMeshes[i];
@@ -208,7 +210,7 @@ void checkFaces(const InputFile& file, const aiScene& source) {
 } // namespace
 
 Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions& options) {
-    // What these formats do not have cannot be chosen.
+    // These formats have no variants and no animations, so any choice of one is an error.
     if (!options.variant.empty())
         chooseIndex("variant", {}, options.variant);
     if (!options.animation.empty())
@@ -221,7 +223,7 @@ Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions
     keepOnlyImporter(importer, ending);
     const aiScene* source = importer.ReadFile(file.path().string(), 0);
     if (source != nullptr && checked)
-        compareCounts(file, *source, *checked); // before polygons become triangles
+        compareCounts(file, *source, *checked); // compare before polygons become triangles
     if (source != nullptr) {
         checkFaces(file, *source);
         source = importer.ApplyPostProcessing(aiProcess_Triangulate);

@@ -8,13 +8,13 @@
 namespace metamarch {
 namespace {
 
-// MTL's models of illumination that let light through, and those of them that bend it.
+// MTL's illumination models that transmit light, and those among them that refract it.
 constexpr bool isGlass(int illumination) {
     return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
 }
 constexpr bool isRefracting(int illumination) { return illumination == 6 || illumination == 7; }
 
-// NaN becomes 0.
+// Maps NaN to 0.
 float clamped(float value, float most = 1.0f) { return value > 0.0f ? std::min(value, most) : 0.0f; }
 
 std::optional<float> number(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
@@ -33,7 +33,7 @@ glm::vec3 color(const aiMaterial& source, const char* key, unsigned type, unsign
 
 bool has(const aiMaterial& source, aiTextureType type) { return source.GetTextureCount(type) > 0; }
 
-// Names come from other systems too.
+// File names may use another system's separators.
 TextureSource sourceOf(const InputFile& file, const aiMaterial& material, aiTextureType type) {
     aiString path;
     material.GetTexture(type, 0, &path);
@@ -102,7 +102,7 @@ Material MtlTextures::read(const aiMaterial& source) {
     material.name = source.GetName().C_Str();
     material.baseColorFactor =
         glm::vec4(glm::min(color(source, AI_MATKEY_COLOR_DIFFUSE), glm::vec3(1.0f)), 1.0f);
-    material.doubleSided = true; // OBJ knows no back
+    material.doubleSided = true; // OBJ has no single-sided surfaces
     readEmission(source, material);
     readReflection(source, material);
     readOpacity(source, material);
@@ -122,7 +122,7 @@ void MtlTextures::readTextures(const aiMaterial& source, Material& material) {
     std::vector<TextureOverlay> metallic;
     if (has(source, aiTextureType_METALNESS))
         metallic.push_back({sourceOf(file_, source, aiTextureType_METALNESS), 2});
-    if (has(source, aiTextureType_DIFFUSE_ROUGHNESS)) // grey: roughness where glTF has it
+    if (has(source, aiTextureType_DIFFUSE_ROUGHNESS)) // the map is grey; glTF reads roughness from g
         material.metallicRoughnessTexture = add(source, aiTextureType_DIFFUSE_ROUGHNESS, false, metallic);
     else if (!metallic.empty())
         material.metallicRoughnessTexture = addWhite(metallic);
@@ -155,7 +155,7 @@ TextureRef MtlTextures::addWhite(std::vector<TextureOverlay> overlays) {
     return append(Texture(), std::move(image), false);
 }
 
-// An image that was there before, with the same overlays, is the same image.
+// Reuses an earlier source that has the same image and the same overlays.
 TextureRef MtlTextures::append(const Texture& sampler, TextureSource source, bool isSrgb) {
     const auto sameFiles = [&source](const TextureSource& other) {
         return other.name == source.name && (other.read == nullptr) == (source.read == nullptr) &&

@@ -14,8 +14,8 @@ class OffChecker {
 
     MeshCounts check() {
         std::vector<std::string_view> words = nextWords("the header");
-        // Letters before OFF say what vertices carry behind their three coordinates; 4 and n change the
-        // coordinates.
+        // A prefix before OFF tells what vertices have besides three coordinates. Prefixes 4 and n change the
+        // coordinates themselves and are not supported.
         if (!words[0].ends_with("OFF") || words[0].find_first_of("4n") != std::string_view::npos)
             file_.refuse("not OFF: does not start with 'OFF'");
         words.erase(words.begin());
@@ -54,7 +54,7 @@ class OffChecker {
         }
     }
 
-    // Of the next line with something before its '#'.
+    // Returns the words of the next line that has any before its '#'.
     std::vector<std::string_view> nextWords(const std::string& where) {
         constexpr std::string_view kBlank = " \t\r";
         std::vector<std::string_view> words;

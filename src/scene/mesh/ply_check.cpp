@@ -33,7 +33,7 @@ struct Element {
 struct Header {
     Encoding encoding = Encoding::text;
     std::vector<Element> elements;
-    std::size_t size = 0; // bytes up to the body
+    std::size_t size = 0; // number of bytes before the body
 
     std::uint64_t count(std::string_view name) const {
         const auto found = std::ranges::find(elements, name, &Element::name);
@@ -109,7 +109,8 @@ class HeaderReader {
         Element element;
         std::int64_t count = -1;
         words >> element.name >> count;
-        // An element is at least a byte: this keeps what follows from believing in billions of them.
+        // An element takes at least one byte. This check prevents work on billions of elements that do not
+        // exist.
         if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size())
             file_.refuse("PLY header: the file cannot hold its elements '" + element.name + "'");
         element.count = static_cast<std::uint64_t>(count);
@@ -177,7 +178,7 @@ class BodyChecker {
         return header_.encoding == Encoding::text ? readWord() : readBytes(type);
     }
 
-    // Of a text, where Assimp reads each element from a line of its own: so does this, lest the two disagree.
+    // Assimp reads each element of a text file from its own line. Do the same, so that both agree.
     void beginElement() {
         if (header_.encoding != Encoding::text)
             return;
@@ -196,7 +197,7 @@ class BodyChecker {
             refuse("the line ends here");
         double number = 0.0;
         const auto [end, failure] = std::from_chars(line_.data(), line_.data() + line_.size(), number);
-        // result_out_of_range is a number too small or too large for a double, yet well written
+        // result_out_of_range means a well-formed number that is too small or too large for a double.
         if (failure == std::errc::invalid_argument)
             refuse("not a number");
         line_.remove_prefix(static_cast<std::size_t>(end - line_.data()));
@@ -213,7 +214,8 @@ class BodyChecker {
             bits = bits << 8 | static_cast<unsigned char>(rest_[from]);
         }
         rest_.remove_prefix(size);
-        if (type.isFloat) // only integers are looked at: Assimp reads these, the scene checks them
+        // Only integers are checked here: Assimp reads the floats, and the scene checks them.
+        if (type.isFloat)
             return 0.0;
         const auto unused = static_cast<int>(64 - 8 * size);
         return type.isSigned ? static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused)
@@ -227,7 +229,7 @@ class BodyChecker {
     const InputFile& file_;
     const Header& header_;
     std::string_view rest_;
-    std::string_view line_; // of a text, what is left of the element's
+    std::string_view line_; // text only: the rest of the element's line
     const Element* at_ = nullptr;
     std::uint64_t index_ = 0;
 };

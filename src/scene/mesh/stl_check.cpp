@@ -10,7 +10,7 @@ void checkStl(const InputFile& file, std::string_view bytes) {
     std::uint32_t facets = 0;
     if (bytes.size() >= kHeaderSize + sizeof facets)
         std::memcpy(&facets, bytes.data() + kHeaderSize, sizeof facets);
-    // A binary header may start with "solid" too; its size gives it away.
+    // A binary header may start with "solid" too; the file's size then shows that it is binary.
     const bool isBinary = bytes.size() >= kHeaderSize + sizeof facets + kFacetSize * facets && facets > 0;
     if (!isBinary && bytes.starts_with("solid") && bytes.rfind("endsolid") == std::string_view::npos)
         file.refuse("STL text is cut off: there is no endsolid");

@@ -9,11 +9,12 @@
 namespace metamarch {
 namespace {
 
-using Key = std::array<std::uint32_t, 8>; // bits, so that a NaN equals itself and is found and named later
+// Bits rather than floats: a NaN then equals itself and is reported later.
+using Key = std::array<std::uint32_t, 8>;
 
 struct KeyHash {
     std::size_t operator()(const Key& key) const {
-        std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, a word at a time
+        std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, one word at a time
         for (const std::uint32_t word : key)
             hash = (hash ^ word) * 0x100000001b3u;
         return static_cast<std::size_t>(hash ^ (hash >> 32));

@@ -10,9 +10,9 @@ namespace metamarch {
 namespace {
 
 constexpr std::size_t kSignatureSize = 8;
-constexpr std::size_t kChunkOverhead = 12; // length, type, check sum
+constexpr std::size_t kChunkOverhead = 12; // length, type, checksum
 
-// Remainders of every byte under the CRC's polynomial, reflected (the specification's annex D).
+// The CRC's remainder for every byte, reflected (the specification's annex D).
 constexpr std::array<std::uint32_t, 256> kRemainders = [] {
     std::array<std::uint32_t, 256> remainders{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {

@@ -18,7 +18,7 @@ using namespace std::string_view_literals;
 
 struct Format {
     std::string_view magic;
-    const char* name; // OpenImageIO's
+    const char* name; // OpenImageIO's name of the format
     bool isLinear = false;
 };
 
@@ -34,7 +34,7 @@ constexpr std::array<Format, 10> kFormats = {{{"\x89PNG\r\n\x1a\n"sv, "png"},
                                               {"GIF8"sv, "gif"}}};
 constexpr Format kTarga = {"", "targa"};
 
-// 16384 x 16384; 1 GiB of bytes.
+// 16384 x 16384 texels take 1 GiB as bytes.
 constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 28;
 
 constexpr int kRowsAtOnce = 64;
@@ -63,7 +63,8 @@ void checkSize(const OIIO::ImageSpec& spec) {
                              " texels, more than the limit of " + std::to_string(kMaxTexels));
 }
 
-// The first `channels` of every texel. Memory grows with what was really read, not with what the header says.
+// Reads the first `channels` channels of every texel. The memory grows with the data actually read, not with
+// the size that the header claims.
 template <class T>
 std::vector<T> readChannels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels,
                             OIIO::TypeDesc type) {
@@ -80,14 +81,14 @@ std::vector<T> readChannels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec
                                                    spec.z, spec.z + 1, 0, channels, type, &values[begin])
                                 : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, channels, type,
                                                        &values[begin]);
-        // Some readers fill what is missing with grey, say so and succeed.
+        // Some readers fill missing data with grey, set an error and still return success.
         if (!read || input.has_error())
             throw TextureFailure("cannot be decoded: " + input.geterror());
     }
     return values;
 }
 
-// Grey is spread; the alpha of one and three channels is `opaque`.
+// Copies grey to r, g and b. Images with one or three channels get the alpha `opaque`.
 template <class T>
 std::vector<glm::vec<4, T>> toTexels(const std::vector<T>& values, std::size_t channels, T opaque) {
     std::vector<glm::vec<4, T>> texels(values.size() / channels);
@@ -140,7 +141,7 @@ DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::st
         throw TextureFailure("is " + std::string(format.name) + ", which this OpenImageIO cannot read");
     OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
     OIIO::ImageSpec request;
-    request.attribute("oiio:UnassociatedAlpha", 1); // texels as stored
+    request.attribute("oiio:UnassociatedAlpha", 1); // keep texels as stored
     OIIO::ImageSpec spec;
     if (!input->set_ioproxy(&memory) || !input->open(std::string("texture.") + format.name, spec, request))
         throw TextureFailure("cannot be decoded: " + input->geterror());

@@ -14,14 +14,14 @@ constexpr std::uint32_t kUnused = 0xffffffffu;
 
 struct Loaded {
     DecodedTexture texture;
-    std::string failure; // empty when there is a texture
+    std::string failure; // empty if there is a texture
 };
 
 std::size_t texelCount(const TextureImage& image) {
     return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
-// What texel `i` of a picture as large as `like` shows, in [0, 1].
+// Returns the texel of `image`, in [0, 1], that corresponds to texel `i` of `like`.
 glm::vec4 texelOf(const TextureImage& image, const TextureImage& like, std::size_t i) {
     const std::size_t x = i % like.width * image.width / like.width;
     const std::size_t y = i / like.width * image.height / like.height;
@@ -34,7 +34,7 @@ bool hasAlpha(const TextureImage& image) {
            std::ranges::any_of(image.floats, [](const glm::vec4& texel) { return texel.a < 1.0f; });
 }
 
-// Enlarges `image` to the size of `other` where that one has more texels.
+// Enlarges `image` to the size of `other` if `other` has more texels.
 void enlarge(TextureImage& image, const TextureImage& other) {
     if (texelCount(image) >= texelCount(other))
         return;
@@ -169,8 +169,8 @@ class TextureLoader {
     InputFile& file_;
     const std::vector<TextureSource>& sources_;
     std::vector<TextureRef*> refs_;       // of the materials in use
-    std::vector<std::uint32_t> newImage_; // [source], into scene_.images, or kUnused
-    std::vector<bool> isLinear_;          // [source]
+    std::vector<std::uint32_t> newImage_; // indexed by source; an index into scene_.images, or kUnused
+    std::vector<bool> isLinear_;          // indexed by source
 };
 
 } // namespace

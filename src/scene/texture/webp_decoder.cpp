@@ -11,7 +11,7 @@ namespace metamarch {
 #ifdef METAMARCH_WEBP
 TextureImage decodeWebp(std::span<const unsigned char> bytes) {
     int width = 0;
-    int height = 0; // each at most 16383 in the format
+    int height = 0; // the format allows at most 16383 each
     if (WebPGetInfo(bytes.data(), bytes.size(), &width, &height) == 0)
         throw TextureFailure("is no WebP picture");
     TextureImage image;
