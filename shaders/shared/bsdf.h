@@ -1,20 +1,22 @@
-// The BSDF of bsdf_model.h: evaluated, and sampled by one lobe of the mixture whose density is known as a
-// whole. Directions are of unit length, in world space, and point away from the surface.
+// Evaluates and samples the BSDF of bsdf_model.h. Sampling chooses one lobe; the pdf is that of the whole
+// mixture. Directions have unit length, are in world space and point away from the surface.
 //
-// Lobes whose alpha is at most kMinAlpha are deltas: evalBsdf does not see them, sampleBsdf marks them.
+// Lobes whose alpha is at most kMinAlpha are deltas: evalBsdf ignores them, and sampleBsdf flags its samples
+// of them.
 #ifndef METAMARCH_SHARED_BSDF_H
 #define METAMARCH_SHARED_BSDF_H
 #include "bsdf_model.h"
 
 SHARED_BEGIN
 
-// What BsdfDirection::lobe and evaluateDirection know: the smooth lobes are evaluated one at a time.
-const uint kLobeRough = 0u; // the mixture of all that are no deltas
+// Values of BsdfDirection::lobe, also taken by evaluateDirection. The smooth lobes are evaluated one at a
+// time.
+const uint kLobeRough = 0u; // the mixture of all lobes that are not deltas
 const uint kLobeSmoothBase = 1u;
 const uint kLobeSmoothCoat = 2u;
 const uint kLobeNone = 3u; // the sample is lost
 
-// BsdfSample::flags.
+// Bits of BsdfSample::flags.
 const uint kSampleDelta = 1u;
 const uint kSampleTransmitted = 2u;
 
@@ -30,31 +32,32 @@ struct BsdfDirection {
 
 struct BsdfSample {
     vec3 wi;
-    float pdf;   // 1 for a delta, where it says nothing: there is no other way to find wi
-    vec3 weight; // BSDF times |cosine| over pdf; 0: the path ends
+    float pdf;   // for a delta 1, which has no meaning: no other technique can find wi
+    vec3 weight; // BSDF times |cosine| divided by pdf; 0: the path ends
     uint flags;
-    float radianceScale; // contained in weight: radiance grows with the square of the refractive index
+    float radianceScale; // a factor of weight: radiance scales with the square of the refractive index
 };
 
 SHARED_FN vec3 inFrame(const SurfaceFrame frame, const vec3 w) {
     return vec3(dotProduct(w, frame.tangent), dotProduct(w, frame.bitangent), dotProduct(w, frame.normal));
 }
 
-// Radiance beyond the surface, as seen from wo: 1 but for refraction.
+// Returns the factor by which radiance changes on its way through the surface to wo; it differs from 1 only
+// for refraction.
 SHARED_FN float radianceScaleOf(const Bsdf bsdf, const bool isThrough) {
     return isThrough && bsdf.isRefractive ? 1.0f / (bsdf.eta * bsdf.eta) : 1.0f;
 }
 
-// The facets that send wi to wo.
+// The microfacets that scatter wi to wo.
 struct FacetPair {
     vec3 normal;
-    float cosOut;  // of wo to it
-    float density; // per solid angle of wi, times G1 over the density of wo
+    float cosOut;  // cosine between wo and the facets' normal
+    float density; // pdf of wi, per solid angle, if the facets visible from wo are sampled
     float passage;
 };
 
-// By reflection, by refraction, or through a thin wall, whose lobe is the reflected one mirrored at the
-// surface.
+// Handles reflection, refraction, and transmission through a thin wall, whose lobe is the reflected one
+// mirrored at the surface.
 SHARED_FN FacetPair facetsTowards(const Bsdf bsdf, const vec3 incoming) {
     const bool isThrough = incoming.z < 0.0f;
     const bool isRefracted = isThrough && bsdf.isRefractive;
@@ -75,9 +78,9 @@ SHARED_FN FacetPair facetsTowards(const Bsdf bsdf, const vec3 incoming) {
     return FacetPair(normal, max(facetOut, 0.0f), isFacing ? density : 0.0f, passage);
 }
 
-// One of the smooth lobes towards its one direction, or all rough ones. evalBsdf and sampleBsdf are made of
-// this; a kernel that calls it in a loop, for the light's direction and for the sampled one, has it compiled
-// once.
+// Evaluates one smooth lobe towards its only direction, or all rough lobes together. evalBsdf and sampleBsdf
+// call this. A kernel can call it in a loop, for the light's direction and for the sampled one, so that it is
+// compiled only once.
 SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint lobe) {
     const vec3 incoming = inFrame(bsdf.frame, wi);
     const float cosIn = abs(incoming.z);
@@ -88,7 +91,7 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
 
     vec3 value = vec3(0.0f);
     float pdf = 0.0f;
-    float left = 1.0f; // for diffuse light
+    float left = 1.0f; // fraction of the light left for the diffuse lobe
     if (hasFeature(kFeatureFacets)) {
         const FacetPair facets = facetsTowards(bsdf, incoming);
         const FacetColors colors = facetColors(bsdf, isSmoothBase ? bsdf.wo.z : facets.cosOut);
@@ -120,7 +123,7 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
         pdf = pdf + (isCoat ? bsdf.pCoat * coat.density : 0.0f);
     }
 
-    // Both normals must agree on the side of wi, or light would leak through the surface.
+    // Both normals must agree on which side wi lies, otherwise light would leak through the surface.
     const float geometricCosine = dotProduct(wi, bsdf.frame.geometricNormal);
     const bool isOneSide = incoming.z * geometricCosine > 0.0f;
     const bool isLit = isOneSide && lobe != kLobeNone;
@@ -131,7 +134,7 @@ SHARED_FN BsdfValue evalBsdf(const Bsdf bsdf, const vec3 wi) {
     return evaluateDirection(bsdf, wi, kLobeRough);
 }
 
-// Draws the lobe by uLobe, the direction in it by uDirection; each in [0, 1).
+// uLobe chooses the lobe, uDirection the direction in it; all are in [0, 1).
 SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, const vec2 uDirection) {
     const float toDiffuse = bsdf.pBase + bsdf.pDiffuse;
     const float toThrough = toDiffuse + bsdf.pDiffuseThrough;
@@ -170,14 +173,14 @@ SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, cons
 
     const vec3 local = isCosine ? cosine : isThrough ? passed : mirrored;
     const vec3 wi = unitVector(around.tangent * local.x + around.bitangent * local.y + normal * local.z);
-    // A facet may send light back into the surface it belongs to; no other lobe may claim that sample.
+    // A facet may reflect light into the surface that it belongs to. No other lobe may claim such a sample.
     const bool isAbove = local.z > 0.0f && dotProduct(wi, bsdf.frame.normal) > 0.0f;
     const bool isLost = isCosine ? toThrough == 0.0f : isThrough ? local.z >= 0.0f : !isAbove;
     const uint smoothLobe = isCoat ? kLobeSmoothCoat : kLobeSmoothBase;
     return BsdfDirection(wi, isLost ? kLobeNone : isSmooth && !isCosine ? smoothLobe : kLobeRough);
 }
 
-// The sample of a direction and its value.
+// Combines a direction and its value to a sample.
 SHARED_FN BsdfSample makeSample(const Bsdf bsdf, const BsdfDirection direction, const BsdfValue found) {
     const bool isDelta = direction.lobe == kLobeSmoothBase || direction.lobe == kLobeSmoothCoat;
     const bool isThrough = dotProduct(direction.wi, bsdf.frame.normal) < 0.0f;

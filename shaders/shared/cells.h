@@ -1,4 +1,4 @@
-// The views of what the meta table knows of the place that a camera ray hit: from cell and leaf to a pixel.
+// Debug views of the meta table at the point that a camera ray hit: from cell and leaf to a pixel's colour.
 #ifndef METAMARCH_SHARED_CELLS_H
 #define METAMARCH_SHARED_CELLS_H
 #include "false_color.h"
@@ -8,15 +8,15 @@
 
 SHARED_BEGIN
 
-// The cell that a point lies in, and on each axis the lattice plane next to it.
+// The cell in which a point lies and, per axis, the nearest lattice plane.
 struct CellPlace {
     vec3 position; // lattice space
     ivec3 cell;
-    ivec3 side; // -1 where that plane is the lower one of the cell, else 1
-    vec3 gap;   // from the point to that plane, in cells
+    ivec3 side; // -1 if that plane is the cell's lower one, else 1
+    vec3 gap;   // distance from the point to that plane, in cells
 };
 
-// At `t` along the ray, as the march counts.
+// Returns the place at `t` along the ray; t counts as in the march.
 SHARED_FN CellPlace cellPlace(const Ray ray, const float t, const uvec3 resolution) {
     const vec3 position = ray.start + ray.stride * t;
     const ivec3 cell = cellAt(ray, t, ivec3(0), ivec3(resolution));
@@ -28,31 +28,31 @@ SHARED_FN CellPlace cellPlace(const Ray ray, const float t, const uvec3 resoluti
 
 const uint kNoLeaf = 0xffffffffu;
 
-// What the table holds there.
+// What the table holds at that place.
 struct CellFacts {
     CellPlace place;
     uint leafId;
-    uvec3 leafBeside; // on each axis behind that plane; kNoLeaf: the lattice ends there
+    uvec3 leafBeside; // per axis, the leaf beyond that plane; kNoLeaf outside the lattice
     Leaf leaf;
 };
 
-// Stands for those of a miss.
+// Returns a placeholder for a miss.
 SHARED_FN CellFacts noCellFacts() {
     return CellFacts(CellPlace(vec3(0.0f), ivec3(0), ivec3(0), vec3(0.0f)), kNoLeaf, uvec3(kNoLeaf),
                      Leaf(0u, 0u, 0u, 0u));
 }
 
-// How far the place that is seen moves on the plane of the triangle while the ray turns to that of a
-// neighbouring pixel. H. Igehy, "Tracing Ray Differentials", 1999.
+// Returns how far the visible point moves in the triangle's plane if the ray turns to a neighbouring pixel's.
+// H. Igehy, "Tracing Ray Differentials", 1999.
 SHARED_FN vec3 pixelStep(const CameraRay view, const CameraRay next, const float t, const vec3 normal) {
-    const float kLeastCosine = 1e-4f; // steeper than any line can be drawn
+    const float kLeastCosine = 1e-4f; // at steeper angles no line can be drawn
     const vec3 moved = next.origin - view.origin + (next.dir - view.dir) * t;
     const float cosine = dotProduct(view.dir, normal);
     const float bounded = max(abs(cosine), kLeastCosine) * (cosine < 0.0f ? -1.0f : 1.0f);
     return moved - view.dir * (dotProduct(moved, normal) / bounded);
 }
 
-// The cells that the place moves by from one pixel to the next, on each axis.
+// Returns, per axis, by how many cells the visible point moves from one pixel to the next.
 SHARED_FN vec3 cellsPerPixel(const Camera camera, const uvec2 pixel, const Lattice lattice,
                              const Inspected found, const vec3 normal) {
     const float t = found.ray.shift + found.hit.t;
@@ -64,10 +64,11 @@ SHARED_FN vec3 cellsPerPixel(const Camera camera, const uvec2 pixel, const Latti
     return vec3(sqrt(squares.x), sqrt(squares.y), sqrt(squares.z));
 }
 
-// A surface that lies in a lattice plane but for rounding has no line there; one that leaves it faster does.
+// A surface that lies in a lattice plane up to rounding gets no line there; one with at least this relative
+// slope does.
 const float kLeastSlope = 0.015625f;
 
-// How much of a pixel a line covers that is `width` pixels wide and `gap` cells away.
+// Returns the fraction of a pixel that is covered by a line `width` pixels wide and `gap` cells away.
 SHARED_FN float lineCover(const float gap, const float span, const float widestSpan, const float width) {
     const float pixels = gap / max(span, 1e-20f);
     const float cover = min(max(0.5f * width + 0.5f - pixels, 0.0f), 1.0f);
@@ -80,7 +81,7 @@ SHARED_FN vec3 lineCovers(const vec3 gap, const vec3 span, const float width) {
                 lineCover(gap.z, span.z, widest, width));
 }
 
-// What is left of lines that are `spacing` cells apart: where they would run into one another, nothing.
+// Returns the opacity of lines that are `spacing` cells apart; 0 if they would merge into each other.
 SHARED_FN float densityFade(const float spacing, const float span) {
     const float kFewestPixels = 3.0f; // between two lines
     const float kFadePixels = 4.0f;
@@ -97,8 +98,8 @@ const float kCellLine = 1.0f; // pixels
 const float kLeafLine = 1.6f;
 const float kBoxLine = 1.6f;
 
-// A light surface, thin lines between cells and thick ones between leaves. How close those are is not known:
-// where cells are too small to be seen they are kept faintly.
+// Draws a light surface with thin lines between cells and thick ones between leaves. The distance between
+// leaf borders is unknown, so where cells are too small to be visible, leaf borders remain faintly.
 SHARED_FN vec3 cellBordersColor(const CellFacts facts, const vec3 span, const float cosine) {
     const uvec3 beside = facts.leafBeside;
     const vec3 isInside = vec3(beside.x != kNoLeaf ? 1.0f : 0.0f, beside.y != kNoLeaf ? 1.0f : 0.0f,
@@ -114,7 +115,7 @@ SHARED_FN vec3 cellBordersColor(const CellFacts facts, const vec3 span, const fl
     return blend3(withCells, vec3(0.75f, 0.1f, 0.02f), largest(leaves));
 }
 
-// A colour for each box, dark lines where it ends.
+// Gives each box a colour, with dark lines at its borders.
 SHARED_FN vec3 exitBoxColor(const CellFacts facts, const vec3 span, const float cosine) {
     const vec3 lo = vec3(unpackCell(facts.leaf.lo));
     const vec3 hi = vec3(unpackCell(facts.leaf.hi));
@@ -124,7 +125,7 @@ SHARED_FN vec3 exitBoxColor(const CellFacts facts, const vec3 span, const float 
     return blend3(color, vec3(0.02f), 0.85f * largest(lines));
 }
 
-// `triangle` is the one that was hit and `facts` are those of the hit point; of a miss neither is looked at.
+// `triangle` is the one that was hit, and `facts` are those at the hit point; both are ignored for a miss.
 SHARED_FN uint cellsPixel(const InspectPush push, const Camera camera, const uvec2 pixel,
                           const Lattice lattice, const Inspected found, const TriangleRecord triangle,
                           const CellFacts facts) {

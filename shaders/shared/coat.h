@@ -1,4 +1,4 @@
-// The clear coat of KHR_materials_clearcoat: isotropic facets of ior 1.5 with a normal of their own.
+// The clear coat of KHR_materials_clearcoat: isotropic microfacets with ior 1.5 and a separate normal.
 #ifndef METAMARCH_SHARED_COAT_H
 #define METAMARCH_SHARED_COAT_H
 #include "albedo.h"
@@ -7,17 +7,17 @@
 
 SHARED_BEGIN
 
-const float kCoatF0 = 0.04f; // of ior 1.5
+const float kCoatF0 = 0.04f; // reflectance of ior 1.5 at normal incidence
 
 struct Coat {
-    vec3 wo; // around the coat's normal
+    vec3 wo; // in the frame of the coat's normal
     float strength;
     Basis around;
     vec3 normal;
     float alpha;
-    bool isSmooth; // a delta
+    bool isSmooth; // the lobe is a delta
     bool isSingleScatter;
-    float albedo; // towards wo
+    float albedo; // for light towards wo
 };
 
 struct CoatLobe {
@@ -25,8 +25,8 @@ struct CoatLobe {
     float density;
 };
 
-// `alpha` at least kMinAlpha, at which the coat is smooth. The Khronos text takes Fresnel's term at wo; so
-// does the coat where `isSingleScatter`, else it is the facets'.
+// `alpha` is at least kMinAlpha; the coat is smooth if it equals that. The Khronos text evaluates the Fresnel
+// term at wo. The coat does so too if `isSingleScatter`, otherwise at the facets.
 SHARED_FN Coat makeCoat(const vec3 normal, const float strength, const float alpha,
                         const bool isSingleScatter, const vec3 wo) {
     const Basis around = basisAround(normal);
@@ -40,7 +40,7 @@ SHARED_FN Coat makeCoat(const vec3 normal, const float strength, const float alp
     return Coat(local, strength, around, normal, alpha, isSmooth, isSingleScatter, albedo);
 }
 
-// Towards wi, in world space; with `isMirror` the delta's, whose density counts as 1.
+// Evaluates the coat towards wi (world space). If `isMirror`, evaluates the delta, with a density of 1.
 SHARED_FN CoatLobe coatLobe(const Coat coat, const vec3 wi, const bool isMirror) {
     const float cosIn = dotProduct(wi, coat.normal);
     const vec3 incoming =

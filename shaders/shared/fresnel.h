@@ -1,24 +1,24 @@
-// How much a smooth interface reflects. Every cosine is that of the angle to the (micro)facet's normal.
+// The reflectance of a smooth interface. Every cosine is that of the angle to the (micro)facet's normal.
 #ifndef METAMARCH_SHARED_FRESNEL_H
 #define METAMARCH_SHARED_FRESNEL_H
 #include "math.h"
 
 SHARED_BEGIN
 
-// From f0 to f90: f0 + (f90 - f0) * weight. C. Schlick, "An Inexpensive BRDF Model for Physically-based
-// Rendering", 1994.
+// Reflectance goes from f0 to f90: f0 + (f90 - f0) * weight. C. Schlick, "An Inexpensive BRDF Model for
+// Physically-based Rendering", 1994.
 SHARED_FN float schlickWeight(const float cosine) {
     const float x = min(max(1.0f - cosine, 0.0f), 1.0f);
     const float x2 = x * x;
     return x2 * x2 * x;
 }
 
-// At normal incidence, between media whose refractive indices have the ratio `eta`.
+// The reflectance at normal incidence between media whose refractive indices have the ratio `eta`.
 SHARED_FN float normalReflectance(const float eta) { return squared((eta - 1.0f) / (eta + 1.0f)); }
 
-// Refraction into the medium whose refractive index is `eta` times that of the medium the light is in.
+// Refraction into a medium whose refractive index is `eta` times that of the light's current medium.
 struct Refraction {
-    float cosine;      // beyond the interface, 0 for total reflection
+    float cosine;      // on the far side of the interface; 0 for total internal reflection
     float reflectance; // Fresnel's equations for unpolarised light
 };
 

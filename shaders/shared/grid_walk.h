@@ -1,11 +1,11 @@
-// The uniform grid and the steps through it; the loops are in traversal/uniform_grid.glsl and its CPU twin.
+// The uniform grid and the steps through it. The loops are in traversal/uniform_grid.glsl and its CPU twin.
 #ifndef METAMARCH_SHARED_GRID_WALK_H
 #define METAMARCH_SHARED_GRID_WALK_H
 #include "march.h"
 
 SHARED_BEGIN
 
-// A second lattice over the same box, with a resolution of its own.
+// A second lattice over the same box, with its own resolution.
 struct Grid {
     vec3 scale; // grid cells per cell of the scene's lattice
     uint cellCount;
@@ -18,7 +18,7 @@ struct GridCell {
     uint triangleCount;
 };
 
-// The same ray and t with the grid for a lattice.
+// Returns the same ray in the grid's space; t is unchanged.
 SHARED_FN Ray inGrid(const Grid grid, const Ray ray) {
     Ray moved = ray;
     const vec3 start = ray.start * grid.scale;
@@ -30,8 +30,8 @@ SHARED_FN Ray inGrid(const Grid grid, const Ray ray) {
     return moved;
 }
 
-// Leaves a cell through the face whose plane comes first by ordered comparison. Like the march, from integer
-// planes: a running sum of distances would gather a rounding per cell.
+// Leaves a cell through the face whose plane comes first, by ordered comparison. Like the march, it computes
+// distances from integer planes: a running sum would accumulate one rounding error per cell.
 SHARED_FN BoxExit leaveCell(const Ray ray, const ivec3 cell) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     const vec3 tPlane = (vec3(mix(cell, cell + 1, upward)) - ray.start) * ray.invStride;

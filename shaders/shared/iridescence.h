@@ -6,14 +6,14 @@
 
 SHARED_BEGIN
 
-// A Gaussian over wavelengths sees two paths of light interfere: by the cosine of the phase between them, and
-// the less the longer the difference of the paths.
+// Interference of two light paths, seen by a sensor with a Gaussian response over wavelengths: the cosine of
+// the phase between the paths, and a decay that grows with the difference of their lengths.
 struct Fringe {
     float cosine;
     float decay;
 };
 
-// `cycles` and `width` per nanometre of the paths' difference.
+// `cycles` and `width` are per nanometre of path difference.
 SHARED_FN Fringe fringeAt(const float pathDifference, const float cycles, const float width) {
     const float cosine = circlePoint(cycles * pathDifference).x;
     const float decay = exponential(-squared(width * pathDifference));
@@ -26,21 +26,22 @@ SHARED_FN vec3 rec709FromXyz(const vec3 xyz) {
                 0.0556434f * xyz.x - 0.2040259f * xyz.y + 1.0572252f * xyz.z);
 }
 
-// Per colour, between 0 and 1. Air above; `thickness` of the film in nanometres, `baseF0` the base's
-// reflectance under air at normal incidence.
+// Returns the reflectance per colour channel, in [0, 1]. The outside medium is air. `thickness` of the film
+// is in nanometres; `baseF0` is the base's reflectance in air at normal incidence.
 SHARED_FN vec3 filmReflectance(const float cosine, const float filmIor, const float thickness,
                                const vec3 baseF0) {
     const float cosInFilm = sqrt(max(1.0f - (1.0f - cosine * cosine) / (filmIor * filmIor), 0.0f));
     const float topF0 = normalReflectance(filmIor);
     const float top = topF0 + (1.0f - topF0) * schlickWeight(cosine);
     const float passed = 1.0f - top;
-    const vec3 rootF0 = sqrt(min(baseF0 + 0.0001f, vec3(0.9999f))); // the base's ior stays finite
+    const vec3 rootF0 = sqrt(min(baseF0 + 0.0001f, vec3(0.9999f))); // keeps the base's ior finite
     const vec3 baseIor = (vec3(1.0f) + rootF0) / (vec3(1.0f) - rootF0);
     const vec3 rootBottomF0 = (baseIor - filmIor) / (baseIor + filmIor);
     const vec3 bottomF0 = rootBottomF0 * rootBottomF0;
     const vec3 bottom = bottomF0 + (vec3(1.0f) - bottomF0) * schlickWeight(cosInFilm);
 
-    // The paper's four Gaussians for X (two), Y and Z; its phases per metre here as cycles per nanometre.
+    // The paper's four Gaussians for X (two), Y and Z, with its phases per metre converted to cycles per
+    // nanometre.
     const float pathDifference = 2.0f * filmIor * thickness * cosInFilm;
     const Fringe x0 = fringeAt(pathDifference, 1.6810e-3f, 4.1334573e-4f);
     const Fringe x1 = fringeAt(pathDifference, 2.2399e-3f, 4.2280749e-4f);
@@ -48,13 +49,14 @@ SHARED_FN vec3 filmReflectance(const float cosine, const float filmIor, const fl
     const Fringe z = fringeAt(pathDifference, 2.2084e-3f, 5.1091608e-4f);
     const vec3 first = vec3(0.84659000f * x0.cosine * x0.decay + 0.15386831f * x1.cosine * x1.decay,
                             1.00022189f * y.cosine * y.decay, 1.00112249f * z.cosine * z.decay);
-    // Twice the difference: cos 2p = 2 cos^2 p - 1, and the exponent of the decay is four times as large.
+    // Twice the path difference: cos 2p = 2 cos^2 p - 1, and the decay's exponent is four times as large.
     const vec3 second =
         vec3(0.84659000f * (2.0f * squared(x0.cosine) - 1.0f) * squared(squared(x0.decay)) +
                  0.15386831f * (2.0f * squared(x1.cosine) - 1.0f) * squared(squared(x1.decay)),
              1.00022189f * (2.0f * squared(y.cosine) - 1.0f) * squared(squared(y.decay)),
              1.00112249f * (2.0f * squared(z.cosine) - 1.0f) * squared(squared(z.decay)));
-    // Reflection turns the phase by half a cycle inside the film's top, and at a base that is denser.
+    // Reflection at a denser medium shifts the phase by half a cycle. Inside the film this happens only at
+    // the base, and only if the base is denser.
     const vec3 turn = vec3(baseIor.x < filmIor ? 1.0f : -1.0f, baseIor.y < filmIor ? 1.0f : -1.0f,
                            baseIor.z < filmIor ? 1.0f : -1.0f);
 
@@ -67,12 +69,12 @@ SHARED_FN vec3 filmReflectance(const float cosine, const float filmIor, const fl
 }
 
 struct Film {
-    float strength; // 0: none
+    float strength; // 0: no film
     float ior;
     float thickness; // nanometres
 };
 
-// A reflectance without the film and with it, mixed by the film's strength.
+// Blends the reflectances without and with the film by the film's strength.
 SHARED_FN vec3 underFilm(const Film film, const vec3 reflectance, const vec3 filmed) {
     return film.strength > 0.0f ? blend3(reflectance, filmed, film.strength) : reflectance;
 }

@@ -1,31 +1,31 @@
-// Choosing among lights, and points and directions on them.
+// Samples lights, and points and directions on them.
 #ifndef METAMARCH_SHARED_LIGHT_H
 #define METAMARCH_SHARED_LIGHT_H
 #include "math.h"
 
 SHARED_BEGIN
 
-// The weight of a sample drawn with density `own` where another way draws it with density `other`.
+// Returns the weight of a sample drawn with density `own` that another technique draws with density `other`.
 // E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995.
 SHARED_FN float powerHeuristic(const float own, const float other) {
     const float ratio = min(other / max(own, 1e-30f), 1e18f);
     return 1.0f / (1.0f + ratio * ratio);
 }
 
-// One entry of a table that draws by weight, by the inverse of the cumulative distribution: what is
-// stratified in u stays stratified in what is drawn. The search starts at the guide: H. Chen, Y. Asau, "On
-// Generating Random Variates from an Empirical Distribution", AIIE Transactions 6(2), 1974.
+// One entry of a table that samples a discrete distribution by inverting its cumulative distribution, which
+// preserves the stratification of u. The search starts at the guide: H. Chen, Y. Asau, "On Generating Random
+// Variates from an Empirical Distribution", AIIE Transactions 6(2), 1974.
 struct TableEntry {
-    float from; // it is drawn for u in [from, upTo)
+    float from; // the entry is drawn for u in [from, upTo)
     float upTo;
     float probability;
-    uint guide; // the first entry that any u of the guide's own slot can draw; slots are of equal width
+    uint guide; // the first entry that any u in this entry's guide slot can draw; slots have equal width
 };
 
 struct TableChoice {
     uint index;
     float probability;
-    float rest; // in [0, 1): what of u is left, a number as good as new
+    float rest; // in [0, 1): u rescaled within the entry, as good as a new random number
 };
 
 SHARED_FN uint guideSlot(const float u, const uint count) { return min(uint(u * float(count)), count - 1u); }
@@ -35,8 +35,8 @@ SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, cons
     return TableChoice(index, entry.probability, min(max(rest, 0.0f), 0.99999994f));
 }
 
-// Weights of the three corners for a point of the triangle, uniform in its area.
-// E. Heitz, "A Low-Distortion Map Between Triangle and Square", 2019.
+// Returns the barycentric weights of a point that is uniform in the triangle's area. E. Heitz, "A
+// Low-Distortion Map Between Triangle and Square", 2019.
 SHARED_FN vec3 sampleTriangle(const vec2 u) {
     const bool isUpper = u.y > u.x;
     const float lesser = (isUpper ? u.x : u.y) * 0.5f;
@@ -46,47 +46,49 @@ SHARED_FN vec3 sampleTriangle(const vec2 u) {
     return vec3(x, y, max(1.0f - x - y, 0.0f));
 }
 
-// A density over area as one over solid angle, where the surface is seen at that distance and its normal has
-// the cosine to the direction. 0 where it is seen edge-on.
+// Converts a density over area to one over solid angle. `cosine` is that of the angle between the surface
+// normal and the direction. Returns 0 if the surface is seen edge-on.
 SHARED_FN float solidAngleDensity(const float areaDensity, const float squaredDistance, const float cosine) {
     return abs(cosine) > 0.0f ? areaDensity * squaredDistance / abs(cosine) : 0.0f;
 }
 
-// LightRecord::kind.
+// Values of LightRecord::kind.
 const uint kLightDirectional = 0u;
 const uint kLightPoint = 1u;
 const uint kLightSpot = 2u;
 const uint kLightDisc = 3u; // the sun: so far away that every point sees the same disc
 
-// A light that rays cannot hit, or that is as large as the sun. KHR_lights_punctual in watts: candela and lux
-// are taken as W/sr and W/m^2.
+// A light that rays cannot hit, or the sun. KHR_lights_punctual in radiometric units: candela and lux are
+// taken as W/sr and W/m^2.
 struct LightRecord {
-    vec3 position; // of a point or spot
+    vec3 position; // point and spot only
     uint kind;
-    vec3 direction; // from which a directional light or a disc shines, where a spot shines to; of unit length
-    float scale;    // spot: see makeSpotFalloff; disc: 1 - cosine of its angular radius
-    vec3 strength;  // directional: irradiance; point and spot: intensity; disc: radiance
-    float offset;   // spot
+    // Unit length; towards a directional light or disc, but the direction in which a spot shines.
+    vec3 direction;
+    float scale;   // spot: see makeSpotFalloff; disc: 1 - cosine of the angular radius
+    vec3 strength; // directional: irradiance; point and spot: intensity; disc: radiance
+    float offset;  // spot only: see makeSpotFalloff
 };
 
-// (scale, offset) of the falloff between the cones. The cosines are the host's, once for both sides.
+// Returns (scale, offset) of the falloff between a spot's cones. The host computes the cosines, once for both
+// sides.
 SHARED_FN vec2 makeSpotFalloff(const float innerCosine, const float outerCosine) {
     const float scale = 1.0f / max(innerCosine - outerCosine, 0.001f);
     return vec2(scale, -outerCosine * scale);
 }
 
 struct LightSample {
-    vec3 wi;        // of unit length
-    float distance; // kFarLight: no end
-    vec3 arriving;  // times BSDF and |cosine|: what wo sees of it
-    float pdf;      // per solid angle; 0: only light sampling finds it
+    vec3 wi;        // unit length
+    float distance; // kFarLight: infinitely far
+    vec3 arriving;  // times BSDF and |cosine|: the light's contribution to the radiance towards wo
+    float pdf;      // per solid angle; 0 if only light sampling can find the light
 };
 
 const float kFarLight = 3.0e38f;
 
-// A direction of the cone around z, uniform in solid angle; `size` is 1 - cosine of its half angle.
+// Returns a direction in the cone around z, uniform in solid angle; `size` is 1 - cosine of its half angle.
 SHARED_FN vec3 sampleCone(const float size, const vec2 u) {
-    const float below = u.y * size; // 1 - cosine, exact also for small cones
+    const float below = u.y * size; // 1 - cosine; exact for small cones too
     const float radius = sqrt(max(below * (2.0f - below), 0.0f));
     const vec2 circle = circlePoint(u.x);
     return vec3(circle.x * radius, circle.y * radius, 1.0f - below);
@@ -113,9 +115,9 @@ SHARED_FN LightSample sampleLight(const LightRecord light, const vec3 point, con
                        isDisc ? 1.0f / discAngle : 0.0f);
 }
 
-// What a ray that leaves the scene in direction `wi` sees of a disc.
+// Whether a ray that leaves the scene in direction `wi` sees the disc.
 SHARED_FN bool hitsDisc(const LightRecord light, const vec3 wi) {
-    const vec3 off = wi - light.direction; // its square is 2 * (1 - cosine), with all its bits
+    const vec3 off = wi - light.direction; // its square is 2 * (1 - cosine), without cancellation
     return light.kind == kLightDisc && dotProduct(off, off) <= 2.0f * light.scale;
 }
 

@@ -1,6 +1,6 @@
-// The functions that drivers may approximate, from operations that round alike on both sides. An error of
-// n ulps is in units of the last place of the exact result; tests/shading measures each over its domain.
-// Results too small for a normal float are 0: devices flush them.
+// Elementary functions that drivers may only approximate, made of operations that round the same on host and
+// device. Errors are in ulps of the exact result; tests/shading measures each over its domain. Results too
+// small for a normal float are 0, because devices may flush denormals.
 #ifndef METAMARCH_SHARED_MATH_H
 #define METAMARCH_SHARED_MATH_H
 #include "interop.h"
@@ -20,14 +20,14 @@ SHARED_FN vec3 crossProduct(const vec3 a, const vec3 b) {
     return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-// normalize() may be approximate; this is not.
+// normalize() may be approximate; this function is not.
 SHARED_FN vec3 unitVector(const vec3 v) {
     const float squaredLength = v.x * v.x + v.y * v.y + v.z * v.z;
     const vec3 unit = v / sqrt(squaredLength);
     return unit;
 }
 
-// a where t is 0, b where t is 1, both exactly.
+// Linear interpolation; returns exactly a for t = 0 and exactly b for t = 1.
 SHARED_FN float blend(const float a, const float b, const float t) { return a * (1.0f - t) + b * t; }
 SHARED_FN vec3 blend3(const vec3 a, const vec3 b, const float t) { return a * (1.0f - t) + b * t; }
 
@@ -39,8 +39,8 @@ SHARED_FN float luminance(const vec3 color) {
 SHARED_FN float largest(const vec3 v) { return max(max(v.x, v.y), v.z); }
 SHARED_FN float smallest(const vec3 v) { return min(min(v.x, v.y), v.z); }
 
-// Cosine and sine of `turns` * 2 pi, each within 3 ulps for |turns| <= 2^20: the quadrant is taken off
-// exactly.
+// Returns cosine and sine of `turns` * 2 pi, each within 3 ulps for |turns| <= 2^20. The range reduction is
+// exact.
 SHARED_FN vec2 circlePoint(const float turns) {
     const float quadrant = floor(turns * 4.0f + 0.5f);
     const float r = turns - quadrant * 0.25f; // exact, |r| <= 1/8
@@ -55,13 +55,13 @@ SHARED_FN vec2 circlePoint(const float turns) {
     return vec2(index == 1u || index == 2u ? -x : x, index >= 2u ? -y : y);
 }
 
-// e^x within 2 ulps. 0 below kMinExponent; from kMaxExponent on the largest value it reaches.
+// e^x within 2 ulps. Returns 0 below kMinExponent, and for x above kMaxExponent the value at kMaxExponent.
 const float kMinExponent = -87.0f;
 const float kMaxExponent = 88.0f;
 SHARED_FN float exponential(const float x) {
     const float bounded = min(max(x, kMinExponent), kMaxExponent);
     const float binary = floor(bounded * 1.44269504089f + 0.5f);
-    // ln 2 in two parts, the first with so few bits that its multiples are exact.
+    // ln 2 as a sum of two parts; the first has so few bits that its multiples are exact.
     const float r = (bounded - binary * 0.693359375f) + binary * 2.12194440055e-4f;
     const float result =
         1.0f + (r + r * r *
@@ -72,12 +72,11 @@ SHARED_FN float exponential(const float x) {
     return x < kMinExponent ? 0.0f : scaled;
 }
 
-// The natural logarithm of a positive normal number within 2 ulps.
-// After W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980: near 1 the leading term
-// is x - 1, exactly.
-const uint kHalfRootBits = 0x3f3504f3u; // of sqrt(1/2)
+// The natural logarithm of a positive normal number, within 2 ulps. After W. J. Cody, W. Waite, "Software
+// Manual for the Elementary Functions", 1980: near 1 the leading term is x - 1, exactly.
+const uint kHalfRootBits = 0x3f3504f3u; // the bits of sqrt(1/2)
 SHARED_FN float logarithm(const float x) {
-    const uint bits = floatBitsToUint(x) - kHalfRootBits; // the significand is to be in [sqrt(1/2), sqrt(2))
+    const uint bits = floatBitsToUint(x) - kHalfRootBits; // puts the significand into [sqrt(1/2), sqrt(2))
     const float binary = float(int(bits) >> 23);
     const float significand = uintBitsToFloat((bits & 0x007fffffu) + kHalfRootBits);
     const float f = significand - 1.0f;
@@ -91,16 +90,17 @@ SHARED_FN float logarithm(const float x) {
     return result;
 }
 
-// base^exponent of a positive normal base. The relative error is at most 2^-22 * (1 + |exponent * ln base|).
+// base^exponent for a positive normal base. The relative error is at most 2^-22 * (1 + |exponent * ln base|).
 SHARED_FN float power(const float base, const float exponent) {
     return exponential(exponent * logarithm(base));
 }
 
-// The angle of (x, y) in [-pi, pi] within 3 ulps, 0 for the origin.
+// The angle of (x, y) in [-pi, pi], within 3 ulps; 0 for the origin.
 SHARED_FN float arcTangent(const float y, const float x) {
     const float far = max(abs(x), abs(y));
     const float near = min(abs(x), abs(y));
-    // tan(angle - pi/4) = (tan(angle) - 1) / (tan(angle) + 1) brings the upper half of the octant near 0.
+    // tan(angle - pi/4) = (tan(angle) - 1) / (tan(angle) + 1) maps the upper half of the octant to values
+    // near 0.
     const bool isUpper = near > 0.414213562373f * far;
     const float above = isUpper ? near - far : near;
     const float below = isUpper ? near + far : far;
@@ -116,13 +116,13 @@ SHARED_FN float arcTangent(const float y, const float x) {
     return y < 0.0f ? -inHalf : inHalf;
 }
 
-// The angle in [0, pi] whose cosine is x, within 4 ulps; x is clamped to [-1, 1].
+// The angle in [0, pi] whose cosine is x, within 4 ulps. x is clamped to [-1, 1].
 SHARED_FN float arcCosine(const float x) {
     const float cosine = min(max(x, -1.0f), 1.0f);
     return arcTangent(sqrt((1.0f - cosine) * (1.0f + cosine)), cosine);
 }
 
-// Two unit vectors that make an orthonormal basis with `normal`.
+// Two unit vectors that form an orthonormal basis with `normal`.
 struct Basis {
     vec3 tangent;
     vec3 bitangent;

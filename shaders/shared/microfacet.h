@@ -1,19 +1,19 @@
-// The Trowbridge-Reitz (GGX) distribution of microfacets with Smith's masking, and the sampling of the facets
-// that a direction sees. Directions are in the frame of the surface, its normal the z axis; alpha is the
-// roughness along x and y. E. Heitz, "Understanding the Masking-Shadowing Function in Microfacet-Based
-// BRDFs", JCGT 3(2), 2014.
+// The Trowbridge-Reitz (GGX) distribution of microfacets with Smith masking, and the sampling of the facets
+// that are visible from a direction. Directions are in the frame of the surface, whose normal is the z axis;
+// alpha is the roughness along x and y. E. Heitz, "Understanding the Masking-Shadowing Function in
+// Microfacet-Based BRDFs", JCGT 3(2), 2014.
 #ifndef METAMARCH_SHARED_MICROFACET_H
 #define METAMARCH_SHARED_MICROFACET_H
 #include "math.h"
 
 SHARED_BEGIN
 
-// Of perceptual roughness 0.01. Nearer to 0 the half vector has too few bits for the distribution: a lobe
-// with this alpha is a delta.
+// The alpha of perceptual roughness 0.01. For smaller alphas the half vector has too few bits for the
+// distribution. A lobe with this alpha is a delta.
 const float kMinAlpha = 1e-4f;
-const float kMinCosine = 1e-6f; // of wo to a normal, where rounding would make it 0
+const float kMinCosine = 1e-6f; // smallest cosine between wo and a normal; rounding could make it 0
 
-// Facets per area and solid angle around `normal`.
+// The distribution D: facets per area and solid angle around `normal`.
 SHARED_FN float facetDensity(const vec3 normal, const vec2 alpha) {
     const float x = normal.x / alpha.x;
     const float y = normal.y / alpha.y;
@@ -28,15 +28,16 @@ SHARED_FN float facetLength(const vec3 w, const vec2 alpha) {
     return sqrt(x * x + y * y + w.z * w.z);
 }
 
-// The density per solid angle with which wo, mirrored at the facets it sees, goes the way whose half vector
+// The pdf per solid angle of mirroring wo at the facets visible from it, for the direction whose half vector
 // is `normal`: D * G1 / (4 cos). `lengthOut` is facetLength(wo).
 SHARED_FN float mirrorDensity(const vec3 normal, const float cosOut, const float lengthOut,
                               const vec2 alpha) {
     return facetDensity(normal, alpha) / (2.0f * (cosOut + lengthOut));
 }
 
-// The part of what the facets send towards the second direction that other facets let pass: G2 / G1, heights
-// correlated, or G1 alone where the two sides of the surface are independent. Cosines are positive.
+// The fraction of the light from facets visible from wo that other facets do not block towards the second
+// direction: G2 / G1 with height-correlated masking, or G1 of the second direction if the two sides of the
+// surface are independent. Cosines are positive.
 SHARED_FN float facetPassage(const float cosOut, const float lengthOut, const float cosIn,
                              const float lengthIn, const bool isIndependent) {
     const float seen = (cosOut + lengthOut) * cosIn;
@@ -44,8 +45,8 @@ SHARED_FN float facetPassage(const float cosOut, const float lengthOut, const fl
     return 2.0f * seen / (2.0f * seen + shadowed);
 }
 
-// A facet's normal from those that `wo` sees, by their projected areas.
-// J. Dupuy, A. Benyoub, "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023.
+// Samples the normal of a facet visible from `wo`, in proportion to projected areas. J. Dupuy, A. Benyoub,
+// "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023.
 SHARED_FN vec3 sampleFacet(const vec3 wo, const vec2 alpha, const vec2 u) {
     const vec3 stretched = unitVector(vec3(wo.x * alpha.x, wo.y * alpha.y, wo.z));
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;

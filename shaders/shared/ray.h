@@ -1,9 +1,9 @@
-// Ray set-up: everything a traversal and a triangle test need of a ray, computed once, the same bits on both
-// sides.
+// Ray set-up: computes once everything that traversals and triangle tests need of a ray, with the same bits
+// on host and device.
 //
-// The origin is first moved to just before the scene box. From there on every coordinate, and so every
-// rounding error, is bounded by the size of the box and no longer by how far away the camera stands;
-// `accel/README.md` builds its proof that no hit is lost on that.
+// The origin is first moved to just before the scene box. From there on, every coordinate and therefore every
+// rounding error is bounded by the size of the box, no matter how far away the camera is. `accel/README.md`
+// bases its proof that no hit is lost on this.
 #ifndef METAMARCH_SHARED_RAY_H
 #define METAMARCH_SHARED_RAY_H
 #include "math.h"
@@ -11,42 +11,43 @@
 
 SHARED_BEGIN
 
-const float kFarthest = 3.0e38f; // stands for infinity, which shaders need not support
+const float kFarthest = 3.0e38f; // replaces infinity, which shaders need not support
 
-// Room for rounding in distances to the box, relative: 16 ulps. The slab test makes at most 6 roundings.
+// Relative tolerance for distances to the box: 16 ulps. The slab test makes at most 6 roundings.
 const float kBoxRounding = 9.5367431640625e-7f; // 2^-20
 
-// A component of a direction below this fraction of the largest one counts as zero, and a zero has the
-// inverse that this fraction would have, with its own sign: so inverses are finite, and products stay clear
-// of the denormals that devices may flush. Over the length of the scene box it moves a ray by 2^-16 of a
-// float step at most.
+// A component of a direction below this fraction of the largest one counts as zero. A zero gets the inverse
+// of this fraction, with its own sign. So inverses are finite, and products stay out of the denormals that
+// devices may flush. Over the length of the scene box this moves a ray by at most 2^-16 of a float step.
 const float kSmallestComponent = 9.09494701772928238e-13f; // 2^-40
 
-// Directions and origins outside these make a ray that hits nothing: products of three of them stay finite.
+// Limits of directions and origins; products of three values within them stay finite. A ray outside them hits
+// nothing.
 const float kMinDirection = 9.09494701772928238e-13f;  // 2^-40
 const float kMaxDirection = 1.099511627776e12f;        // 2^40
 const float kMaxCoordinate = 1.152921504606846976e18f; // 2^60
 
-// Every t counts lengths of dir from `origin`; add `shift` for the distance from the origin that was asked
-// for.
+// t is in units of the length of dir and counts from `origin`; add `shift` for the t from the caller's
+// origin.
 struct Ray {
     vec3 origin; // world space, in or just before the scene box
     float shift;
-    vec3 dir;   // need not be of unit length; components that count as zero are zero
-    float tMin; // a hit has tMin < t <= tMax; tMax < tMin: the ray meets nothing
+    vec3 dir;   // need not have unit length; components that count as zero are zero
+    float tMin; // a hit has tMin < t <= tMax; if tMax < tMin, the ray hits nothing
     float tMax;
 
-    // Lattice space: one unit is one cell, t is unchanged.
+    // Lattice space: one unit is one cell; t is unchanged.
     vec3 start;
     vec3 stride;
-    vec3 invStride; // finite, never zero; its sign is the sign of dir, also of a zero
-    float tNear;    // where the ray enters and leaves the lattice
-    float tFar;
+    vec3 invStride; // finite, never zero; has the sign of dir, even of a zero
+    float tNear;    // t at which the ray enters the lattice
+    float tFar;     // t at which the ray leaves the lattice
 
-    // The triangle test's view along the axis in which dir is largest: Woop, Benthin, Wald 2013, section 3.
-    uint lastAxis; // that axis
-    vec3 shear;    // dir.x / dir.z, dir.y / dir.z, 1 / dir.z, with that axis as z
-    float extent;  // longest side of the scene box
+    // For the triangle test, which looks along the axis of dir's largest component: Woop, Benthin, Wald 2013,
+    // section 3.
+    uint lastAxis; // axis of that component
+    vec3 shear;    // dir.x / dir.z, dir.y / dir.z, 1 / dir.z, where z stands for that axis
+    float extent;  // longest side of the scene box, world units
 };
 
 SHARED_FN vec3 inOrder(const vec3 v, const uint lastAxis) {
@@ -66,7 +67,7 @@ SHARED_FN float finiteInverse(const float x, const float smallestMagnitude) {
     return (floatBitsToInt(x) < 0 ? -1.0f : 1.0f) / magnitude;
 }
 
-// False for NaN, whatever the compiler thinks of it: works on the bits.
+// Returns false for NaN, whatever the compiler assumes: it compares the bits.
 SHARED_FN bool isWithin(const float x, const float limit) {
     return (floatBitsToUint(x) & 0x7fffffffu) <= floatBitsToUint(limit);
 }
@@ -74,7 +75,7 @@ SHARED_FN bool isWithin(const vec3 v, const float limit) {
     return isWithin(v.x, limit) && isWithin(v.y, limit) && isWithin(v.z, limit);
 }
 
-// Where the line through `start` crosses the lattice box, as (near, far); far carries the room for rounding.
+// Returns (near, far) of the line's intersection with the lattice box; far includes the rounding tolerance.
 SHARED_FN vec2 crossLattice(const vec3 start, const vec3 invStride, const uvec3 resolution) {
     const vec3 t0 = (vec3(0.0f) - start) * invStride;
     const vec3 t1 = (vec3(resolution) - start) * invStride;
@@ -99,7 +100,7 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     ray.stride = stride;
     ray.invStride = invStride;
 
-    // Move the origin to the box, staying before it by the rounding of the distance.
+    // Move the origin towards the box, but stop short of it by the rounding error of the distance.
     const vec3 given = (origin - lattice.origin) * lattice.cellsPerUnit;
     const vec2 reach = crossLattice(given, invStride, lattice.resolution);
     const float shift = max(reach.x * (1.0f - kBoxRounding), 0.0f);
@@ -114,8 +115,8 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
 
     const float tMinHere = max(tMin - shift, 0.0f);
     const float tMaxHere = tMax - shift;
-    ray.tMin = sane ? tMinHere : 0.0f; // never NaN, so that tMax < tMin shows that the ray meets nothing
-    // Geometry keeps off the faces of the lattice, so a ray that only grazes them meets nothing.
+    ray.tMin = sane ? tMinHere : 0.0f; // never NaN, so that tMax < tMin identifies a ray that hits nothing
+    // Geometry keeps a distance from the faces of the lattice, so a ray that only grazes them hits nothing.
     ray.tMax = sane && reach.x <= reach.y && ray.tNear <= ray.tFar ? tMaxHere : -1.0f;
 
     const vec3 size = abs(dir);

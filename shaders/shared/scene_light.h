@@ -1,4 +1,4 @@
-// The light of a scene: emitters, punctual lights and the environment, drawn by their power.
+// The light of a scene: emitters, punctual lights and the environment, sampled by their power.
 #ifndef METAMARCH_SHARED_SCENE_LIGHT_H
 #define METAMARCH_SHARED_SCENE_LIGHT_H
 #include "environment_map.h"
@@ -9,19 +9,19 @@
 
 SHARED_BEGIN
 
-// The tables lie one after another: of all lights, of the map's rows, of each row's columns.
+// The tables are stored one after another: of all lights, of the map's rows, of the columns of each row.
 SHARED_FN uint firstRow(const PathSettings settings) { return settings.lightCount; }
 
 SHARED_FN uint firstColumn(const PathSettings settings, const uint row) {
     return settings.lightCount + settings.environmentHeight + row * settings.environmentWidth;
 }
 
-// Draws from the table of `count` entries that begins at entry `first`.
+// Samples the table of `count` entries that begins at entry `first`.
 SHARED_FN TableChoice chooseFromTable(SCENE_PARAMETER const uint first, const uint count, const float u) {
     uint index = loadTableEntry(SCENE first + guideSlot(u, count)).guide;
     TableEntry entry = loadTableEntry(SCENE first + index);
-    // Ends: the last entry that can be drawn has upTo 1. The `if` is for llvmpipe, which takes invocations
-    // that have left a loop through it again with the others.
+    // The loop ends because the last entry that can be drawn has upTo 1. The `if` is for llvmpipe, where
+    // invocations that have left a loop execute its body again with the others.
     do {
         if (entry.upTo <= u) {
             ++index;
@@ -31,7 +31,8 @@ SHARED_FN TableChoice chooseFromTable(SCENE_PARAMETER const uint first, const ui
     return chosenEntry(entry, index, u);
 }
 
-// Between the scene's axes and the map's, which is turned around y, right-handed: +z goes towards +x.
+// Convert between the scene's axes and the map's. The map is rotated around y, right-handed: +z goes towards
+// +x.
 SHARED_FN vec3 turnedFromMap(const PathSettings settings, const vec3 direction) {
     return vec3(direction.x * settings.environmentCosine + direction.z * settings.environmentSine,
                 direction.y,
@@ -44,7 +45,7 @@ SHARED_FN vec3 turnedToMap(const PathSettings settings, const vec3 direction) {
                 direction.z * settings.environmentCosine + direction.x * settings.environmentSine);
 }
 
-// Bilinear; around in u, ending at the poles in v.
+// Bilinear look-up; wraps in u and clamps at the poles in v.
 SHARED_FN vec3 environmentAt(SCENE_PARAMETER const PathSettings settings, const vec2 point) {
     const uint width = settings.environmentWidth;
     const uint height = settings.environmentHeight;
@@ -70,7 +71,7 @@ struct EnvironmentLight {
     float pdf; // of sampleSceneLight, per solid angle
 };
 
-// What comes from `direction`, of unit length, where nothing is in the way.
+// Returns the radiance from `direction` (unit length) if nothing occludes it.
 SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings settings,
                                             const vec3 direction) {
     if (!hasFeature(SCENE kFeatureEnvironment)) {
@@ -107,16 +108,16 @@ SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings setti
     return LightSample(turnedFromMap(settings, inMap), kFarLight, arriving, density);
 }
 
-// A sample of the light that reaches a point: where the shadow ray goes and what it brings if it gets there.
+// A sample of the light that reaches a point: the shadow ray, and what it carries if nothing occludes it.
 struct SceneLightSample {
-    vec3 wi;  // of unit length
-    vec3 end; // of the shadow ray; counts where it is not far
+    vec3 wi;  // unit length
+    vec3 end; // end of the shadow ray; unused if isFar
     bool isFar;
-    vec3 arriving; // over the probability of this sample
-    float pdf;     // per solid angle; 0: only light sampling finds it
+    vec3 arriving; // divided by the pdf of this sample
+    float pdf;     // per solid angle; 0 if only light sampling can find the light
 };
 
-// The light that an emitter sends from one of its points, before visibility.
+// Samples the light that an emitter sends from one of its points, before visibility.
 SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, const vec3 point,
                                          const vec2 u) {
     const vec3 weights = sampleTriangle(u);

@@ -1,40 +1,41 @@
-// From a film to the bytes of a screen, in two steps: `resolve` makes 8 bits of light, `present` lays such
-// pictures over each other at the screen's size.
+// From a film to the bytes of a screen in two steps: `resolve` makes pictures with 8 bits per channel, and
+// `present` composites such pictures at the screen's size.
 #ifndef METAMARCH_SHARED_SCREEN_H
 #define METAMARCH_SHARED_SCREEN_H
 #include "interop.h"
 
 SHARED_BEGIN
 
-// Pictures of both kernels are words in rows from the top: red, green, blue and alpha from the lowest byte
-// up. Alpha is 0 where there is nothing to show yet.
-const uint kBindCoarse = 45u; // of `present`: the picture below
+// The pictures of both kernels have one word per pixel, in rows from the top; the channels from the lowest
+// byte up are red, green, blue and alpha. Alpha is 0 where there is nothing to show yet.
+const uint kBindCoarse = 45u; // `present`'s binding of the lower picture
 
 const uint kScreenTile = 64u; // pixels of a row that one workgroup of `present` writes
 
 struct ResolvePush {
-    uint firstTile; // tiles are numbered in rows, as PathPush has them
+    uint firstTile; // tiles are numbered row by row, as in PathPush
     uint tilesPerRow;
     uint width; // of the film, in pixels
     uint height;
     uint toneOperator; // tone_mapping.h
-    float scale;       // of radiance
+    float scale;       // factor of radiance
 };
 
-// The columns [firstColumn, endColumn) of the screen.
+// `present` writes the columns [firstColumn, endColumn) of the screen.
 struct PresentPush {
     uint width; // of the screen, in pixels
     uint height;
     uint firstColumn;
     uint endColumn;
-    uint fineWidth; // of the picture on top
+    uint fineWidth; // of the upper picture
     uint fineHeight;
-    uint coarseWidth; // of the one below, which shows where the fine one is empty
+    uint coarseWidth; // of the lower picture, which is visible where the upper one is empty
     uint coarseHeight;
-    uint isBlueFirst; // 1: the screen's lowest byte is blue
+    uint isBlueFirst; // 1 if the screen's lowest byte is blue
 };
 
-// The pixel of a picture of `size` that lies under pixel `i` of a screen of `screen`, in one axis.
+// Returns the pixel of a picture with `size` pixels that lies under pixel `i` of a screen with `screen`
+// pixels, on one axis.
 SHARED_FN uint pixelUnder(const uint i, const uint size, const uint screen) { return i * size / screen; }
 
 SHARED_FN uint withBlueFirst(const uint pixel) {

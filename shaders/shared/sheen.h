@@ -6,11 +6,11 @@
 
 SHARED_BEGIN
 
-// Below this perceptual roughness the published lobe returns more than it receives (2.9 times at 0.07, at
-// grazing angles), so rougher fibres stand in.
+// Minimum of the perceptual roughness. Below it, the published lobe reflects more light than it receives (2.9
+// times at 0.07, at grazing angles).
 const float kMinSheenRoughness = 0.26f;
 
-// The published fit of the lobe's Lambda, for one cosine: above 0.5 mirrored at 0.5.
+// The published fit of the lobe's Lambda for one cosine. Above 0.5 it is mirrored at 0.5.
 SHARED_FN float sheenLambda(const float cosine, const float alpha) {
     const float t = squared(1.0f - alpha);
     const float a = blend(21.5473f, 25.3245f, t);
@@ -25,7 +25,8 @@ SHARED_FN float sheenLambda(const float cosine, const float alpha) {
     return exponential(isHigh ? 2.0f * middle - l : l);
 }
 
-// The lobe for white, times |cos in|. `halfCosine` is that of the half vector; roughness as clamped.
+// The lobe for white sheen, times |cos in|. `halfCosine` is the half vector's cosine; `roughness` must be
+// clamped already.
 SHARED_FN float sheenLobe(const float cosOut, const float cosIn, const float halfCosine,
                           const float roughness) {
     const float alpha = roughness * roughness;

@@ -1,11 +1,11 @@
-// Random numbers as a function of pixel, sample, dimension and seed: no state, so every tile, crop, sample
-// range and device draws the same samples.
+// Random numbers as a function of pixel, sample, dimension and seed. There is no state, so every tile, crop,
+// sample range and device draws the same samples.
 //
-// Each dimension is a set of its own, of one or two numbers: the first two dimensions of Sobol's sequence,
-// with its points in an order of their own and each coordinate Owen-scrambled. Over any 2^k samples of a
-// pixel that start at a multiple of 2^k, every elementary interval of area 2^-k holds one point. B. Burley,
-// "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash of N. Vegdahl, "Building a Better LK
-// Hash", 2021.
+// Each dimension has its own independent set of points with one or two numbers each: the first two dimensions
+// of the Sobol sequence, with the points shuffled and each coordinate Owen-scrambled. Among any 2^k samples
+// of a pixel that start at a multiple of 2^k, every elementary interval of area 2^-k contains one point. B.
+// Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is from N. Vegdahl, "Building a
+// Better LK Hash", 2021.
 #ifndef METAMARCH_SHARED_SOBOL_H
 #define METAMARCH_SHARED_SOBOL_H
 #include "interop.h"
@@ -19,18 +19,18 @@ using glm::bitfieldReverse;
 
 SHARED_BEGIN
 
-// The dimensions of a path. How many numbers a decision takes stands in brackets.
-const uint kDimensionFilter = 0u; // [2] place in the pixel
-const uint kDimensionLens = 1u;   // [2] place on the lens
-const uint kDimensionTime = 2u;   // [1] place in the shutter's interval
-// Those of bounce b, counted from 0 at the first hit, are bounceDimension(b, ...).
-const uint kBounceLight = 0u;      // [2] which light, and where on it
-const uint kBounceLevel = 1u;      // [1] which level of a texture, of two
-const uint kBounceLobe = 2u;       // [1] which lobe of the BSDF
+// The dimensions of a path; brackets give the number of random numbers that a dimension has.
+const uint kDimensionFilter = 0u; // [2] position in the pixel
+const uint kDimensionLens = 1u;   // [2] position on the lens
+const uint kDimensionTime = 2u;   // [1] time within the shutter interval
+// The dimensions of bounce b are bounceDimension(b, ...); bounce 0 is the first hit.
+const uint kBounceLight = 0u;      // [2] choice of the light and of a point on it
+const uint kBounceLevel = 1u;      // [1] choice between two texture levels
+const uint kBounceLobe = 2u;       // [1] choice of the BSDF's lobe
 const uint kBounceDirection = 3u;  // [2] direction in the lobe
-const uint kBounceRoulette = 4u;   // [1] whether the path goes on
-const uint kBounceChannel = 5u;    // [1] which colour a dispersive volume refracts
-const uint kBounceAlpha = 6u;      // [1] whether a triangle on the way here is there: see sampleOf
+const uint kBounceRoulette = 4u;   // [1] Russian roulette
+const uint kBounceChannel = 5u;    // [1] choice of the colour channel that a dispersive volume refracts
+const uint kBounceAlpha = 6u;      // [1] whether a triangle on the way to this hit is opaque: see sampleOf
 const uint kBounceLightAlpha = 7u; // [1] the same on the way to the light
 const uint kDimensionsPerBounce = 8u;
 const uint kDimensionFirstBounce = 8u;
@@ -39,13 +39,13 @@ SHARED_FN uint bounceDimension(const uint bounce, const uint decision) {
     return kDimensionFirstBounce + bounce * kDimensionsPerBounce + decision;
 }
 
-// One sample of one pixel.
+// Identifies one sample of one pixel.
 struct PixelSample {
-    uint seed;          // of the pixel
-    uint reversedIndex; // of the sample, its bits in reverse
+    uint seed;          // hash of the pixel and the render's seed
+    uint reversedIndex; // index of the sample, with its bits reversed
 };
 
-// A bijection of good avalanche. C. Wellons, "Prospecting for Hash Functions" (lowbias32), 2018.
+// A bijection with good avalanche. C. Wellons, "Prospecting for Hash Functions" (lowbias32), 2018.
 SHARED_FN uint hashed(const uint x) {
     const uint a = (x ^ (x >> 16u)) * 0x7feb352du;
     const uint b = (a ^ (a >> 15u)) * 0x846ca68bu;
@@ -56,10 +56,10 @@ SHARED_FN PixelSample makePixelSample(const uint x, const uint y, const uint ind
     return PixelSample(hashed(x + hashed(y + hashed(seed))), bitfieldReverse(index));
 }
 
-// Of the sample, from 0.
+// Returns the index of the sample, counted from 0.
 SHARED_FN uint sampleIndex(const PixelSample at) { return bitfieldReverse(at.reversedIndex); }
 
-// An Owen scramble with the bits reversed: each bit is flipped by a hash of those below it.
+// An Owen scramble on reversed bits: flips each bit by a hash of the bits below it.
 SHARED_FN uint scrambledReversed(const uint x, const uint seed) {
     const uint a = x ^ (x * 0x3d20adeau);
     const uint b = (a + seed) * ((seed >> 16u) | 1u);
@@ -71,8 +71,8 @@ SHARED_FN uint scrambled(const uint x, const uint seed) {
     return bitfieldReverse(scrambledReversed(bitfieldReverse(x), seed));
 }
 
-// Sobol's second dimension from his first. Its matrix is Pascal's triangle modulo 2, a Kronecker power of
-// (1 1; 0 1), so a butterfly of five steps multiplies by it.
+// Computes the second dimension of the Sobol sequence from the first. The matrix is Pascal's triangle modulo
+// 2, a Kronecker power of (1 1; 0 1), so a butterfly of five steps multiplies by it.
 SHARED_FN uint sobolSecond(const uint first) {
     const uint a = first ^ ((first << 1u) & 0xaaaaaaaau);
     const uint b = a ^ ((a << 2u) & 0xccccccccu);
@@ -81,11 +81,11 @@ SHARED_FN uint sobolSecond(const uint first) {
     return d ^ (d << 16u);
 }
 
-// In [0, 1), a multiple of 2^-24: rounding to a float cannot reach 1.
+// Returns a multiple of 2^-24 in [0, 1); rounding to a float cannot reach 1.
 SHARED_FN float unitInterval(const uint bits) { return float(bits >> 8u) * 5.9604644775390625e-8f; }
 
-// The number of `dimension` for one of several things, each of which has its own: for kBounceAlpha a
-// triangle, so that the order in which triangles are met does not matter.
+// Returns the random number of `dimension` for one of several things, each of which has its own. For
+// kBounceAlpha, a thing is a triangle, so the order in which triangles are met does not matter.
 SHARED_FN float sampleOf(const PixelSample at, const uint dimension, const uint thing) {
     const uint seed = hashed(at.seed ^ hashed(dimension + thing * 0x9e3779b9u));
     const uint point = scrambledReversed(at.reversedIndex, seed);

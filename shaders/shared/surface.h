@@ -1,4 +1,4 @@
-// What shading knows of the point that a ray hit: the glTF 2.0 material with every texture looked up, and the
+// What shading knows of the point that a ray hit: the glTF 2.0 material with all textures looked up, and the
 // directions of the surface. It is the input of bsdf.h.
 #ifndef METAMARCH_SHARED_SURFACE_H
 #define METAMARCH_SHARED_SURFACE_H
@@ -6,44 +6,47 @@
 
 SHARED_BEGIN
 
-// SurfaceMaterial::flags.
-const uint kSurfaceVolume = 1u;        // KHR_materials_volume: the surface bounds a solid; else a thin wall
-const uint kSurfaceSingleScatter = 2u; // the letter of glTF 2.0, Appendix B; else energy is preserved
+// Values of SurfaceMaterial::flags.
+const uint kSurfaceVolume = 1u;
+// Follows glTF 2.0, Appendix B, to the letter; otherwise energy is preserved.
+const uint kSurfaceSingleScatter = 2u;
 
-// The parameters of glTF 2.0 and its extensions, factor times texture, colours linear. kPlainSurface is the
-// default of each. Emission, alpha, KHR_materials_unlit and what lies inside a volume are not the BSDF's.
+// The parameters of glTF 2.0 and its extensions, factor times texture, with linear colours. kPlainSurface has
+// all their defaults. Emission, alpha, KHR_materials_unlit and the interior of volumes are not part of the
+// BSDF.
 struct SurfaceMaterial {
     vec3 baseColor;
     float metallic;
-    vec3 specularColor; // KHR_materials_specular; may pass 1
+    vec3 specularColor; // KHR_materials_specular; may exceed 1
     float specular;
-    vec3 sheenColor; // KHR_materials_sheen; black: none
+    vec3 sheenColor; // KHR_materials_sheen; black: no sheen
     float sheenRoughness;
     vec3 diffuseTransmissionColor; // KHR_materials_diffuse_transmission
     float diffuseTransmission;
-    float roughness;     // perceptual: alpha is its square
-    float ior;           // KHR_materials_ior, and dispersion where a path has chosen its channel; 0: infinite
-    float transmission;  // KHR_materials_transmission
-    float anisotropy;    // KHR_materials_anisotropy, strength along SurfaceFrame::tangent
-    float coat;          // KHR_materials_clearcoat
-    float coatRoughness; // perceptual
-    float iridescence;   // KHR_materials_iridescence
-    float iridescenceIor;       // of the film
+    float roughness;            // perceptual roughness; alpha is its square
+    float ior;                  // KHR_materials_ior, dispersed if the path has chosen a channel; 0: infinite
+    float transmission;         // KHR_materials_transmission
+    float anisotropy;           // KHR_materials_anisotropy, strength along SurfaceFrame::tangent
+    float coat;                 // KHR_materials_clearcoat
+    float coatRoughness;        // perceptual roughness
+    float iridescence;          // KHR_materials_iridescence
+    float iridescenceIor;       // index of refraction of the film
     float iridescenceThickness; // nanometres
     uint flags;
     uint padding0;
     uint padding1;
 };
 
-// The mirrored ray keeps this much height above the surface, or nearly all of wo's where that is less.
+// Smallest cosine that bendNormal leaves between the mirrored ray and the geometric normal; if 0.9 of wo's
+// cosine is less, that counts.
 const float kLeastMirrorCosine = 0.01f;
-// A tangent whose square is smaller after projection gives no direction.
+// A tangent whose squared length after projection is below this gives no direction.
 const float kLeastTangent = 1e-8f;
 
-// The directions at the hit, as makeSurfaceFrame makes them. tangent, bitangent and normal are orthonormal.
+// The directions at the hit, made by makeSurfaceFrame. tangent, bitangent and normal are orthonormal.
 struct SurfaceFrame {
-    vec3 normal; // of shading
-    uint isBack; // 1 where the ray hit the back of the triangle: inside, where the surface bounds a volume
+    vec3 normal; // shading normal
+    uint isBack; // 1 if the ray hit the back of the triangle: the inside, if the surface bounds a volume
     vec3 tangent;
     uint padding0;
     vec3 bitangent;
@@ -54,9 +57,9 @@ struct SurfaceFrame {
     uint padding3;
 };
 
-// Turns a normal to the side of `geometricNormal` and tilts it as little as needed for `wo`, mirrored at it,
-// to stay above the surface; then wo is above the normal, too. On a flat surface it changes nothing. A.
-// Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix.
+// Flips a normal to the side of `geometricNormal` and tilts it just enough for the mirror direction of `wo`
+// to stay above the surface; then wo is above the normal too. Changes nothing on a flat surface. A. Keller et
+// al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix.
 SHARED_FN vec3 bendNormal(const vec3 normal, const vec3 geometricNormal, const vec3 wo) {
     const vec3 turned = dotProduct(normal, geometricNormal) < 0.0f ? -normal : normal;
     const vec3 mirrored = turned * (2.0f * dotProduct(wo, turned)) - wo;
@@ -67,8 +70,8 @@ SHARED_FN vec3 bendNormal(const vec3 normal, const vec3 geometricNormal, const v
     return isBent ? unitVector(halfVector) : turned;
 }
 
-// All vectors of unit length, `wo` to where the ray came from, `geometricNormal` out of the front of the
-// triangle; `tangent`, the direction along which anisotropy is rougher, may be zero.
+// All vectors have unit length. `wo` points to where the ray came from; `geometricNormal` points out of the
+// triangle's front. `tangent` is the direction of greatest anisotropic roughness and may be zero.
 SHARED_FN SurfaceFrame makeSurfaceFrame(const vec3 geometricNormal, const vec3 shadingNormal,
                                         const vec3 coatNormal, const vec3 tangent, const vec3 wo) {
     const bool isBack = dotProduct(geometricNormal, wo) < 0.0f;
@@ -91,8 +94,9 @@ SHARED_FN SurfaceFrame makeSurfaceFrame(const vec3 geometricNormal, const vec3 s
     return frame;
 }
 
-// KHR_materials_dispersion: a path that meets a dispersive volume chooses one of the three colours, each as
-// likely, keeps it, and counts it three times: the channels of its throughput are multiplied by channelMask.
+// KHR_materials_dispersion: a path that meets a dispersive volume chooses one of the three channels with
+// equal probability and keeps it. channelMask multiplies the path's throughput: three times the chosen
+// channel, zero for the others.
 SHARED_FN float dispersedIor(const float ior, const float dispersion, const uint channel) {
     const float halfSpread = (ior - 1.0f) * 0.025f * dispersion;
     return max(ior + (float(channel) - 1.0f) * halfSpread, 1.0f);

@@ -1,4 +1,4 @@
-// Looking a texture up: transform, wrap modes, levels, nearest or bilinear filter, sRGB.
+// Texture look-up: transform, wrap modes, mip levels, nearest or bilinear filter, sRGB decoding.
 #ifndef METAMARCH_SHARED_TEXTURE_H
 #define METAMARCH_SHARED_TEXTURE_H
 #include "features.h"
@@ -16,8 +16,8 @@ using glm::unpackHalf2x16;
 
 SHARED_BEGIN
 
-// IEC 61966-2-1 within 1e-4 of the result, by a polynomial: a table would cost four loads a look-up, and the
-// drivers' pow is not the same everywhere.
+// IEC 61966-2-1, by a polynomial that is within 1e-4 of the result. A table would cost four loads per
+// look-up, and the drivers' pow() differs between devices.
 SHARED_FN vec3 srgbToLinear(const vec3 c) {
     const vec3 high =
         ((((((c * 0.1248841f - vec3(0.483246378f)) * c + vec3(0.80917798f)) * c - vec3(0.833380126f)) * c +
@@ -34,7 +34,7 @@ SHARED_FN vec3 srgbToLinear(const vec3 c) {
                vec3(1.0f));
 }
 
-// The texel that coordinate `i` (in texels, from -size to 2 size) shows.
+// Applies the wrap mode to a texel coordinate `i` from -size to 2 size.
 SHARED_FN int wrapped(const int i, const int size, const uint wrap) {
     const int folded = i < 0 ? -1 - i : i >= size ? 2 * size - 1 - i : i;
     const int moved = i < 0 ? i + size : i >= size ? i - size : i;
@@ -42,7 +42,7 @@ SHARED_FN int wrapped(const int i, const int size, const uint wrap) {
     return wrap == kWrapClamp ? min(max(i, 0), size - 1) : inside;
 }
 
-// Brings a coordinate to [0, 1], with the whole picture one unit wide; mirrored ones by folding.
+// Maps a coordinate to [0, 1], where the whole image is one unit wide; mirrored coordinates are folded.
 SHARED_FN float withinPeriod(const float u, const uint wrap) {
     const float once = u - floor(u);
     const float periods = u * 0.5f;
@@ -52,7 +52,7 @@ SHARED_FN float withinPeriod(const float u, const uint wrap) {
     return wrap == kWrapRepeat ? once : wrap == kWrapMirror ? mirrored : clamped;
 }
 
-// One texel, rgba, decoded to linear light.
+// Returns one texel as rgba, decoded to linear light.
 SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureLevel level, const int x, const int y) {
     const uint index = uint(y) * level.width + uint(x);
     const uint chunk = level.format >> kTexelsChunkShift;
@@ -71,25 +71,25 @@ SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureLevel level, const int x, co
     return vec4(linear, float(word >> 24u) / 255.0f);
 }
 
-// Where a surface is looked up: two sets of texture coordinates, and how much of each is to be seen at once.
+// Where a surface looks up its textures: two sets of texture coordinates, and the footprint in each.
 struct TexturePoint {
     vec2 first;
     vec2 second;
-    float firstLevel; // log2 of the side of a square that large; kFinestLevel: a point
+    float firstLevel; // log2 of the side of the footprint, taken as a square; kFinestLevel: a point
     float secondLevel;
-    float uLevel; // in [0, 1), chooses between two levels
+    float uLevel; // random number in [0, 1) that chooses between two levels
 };
 const float kFinestLevel = -1000.0f;
 
-// The level for `texels` texels on a side seen as one, given as their log2. Of two levels one is chosen by
-// chance, so that their mean is the mix of both for the price of one.
+// Returns the level for a footprint with a side of 2^`texels` texels. One of two levels is chosen at random,
+// so that their mean is the blend of both at the cost of one look-up.
 SHARED_FN uint chosenLevel(const uint flags, const float texels, const float u) {
     const float last = float(flags >> kTextureLastLevelShift);
     const float part = (flags & kTextureBetweenLevels) != 0u ? u : 0.5f;
     return uint(min(max(floor(texels + part), 0.0f), last));
 }
 
-// 1 in every channel for kNoTextureRecord.
+// Returns 1 in every channel for kNoTextureRecord.
 SHARED_FN vec4 lookUp(SCENE_PARAMETER const uint textureId, const TexturePoint at) {
     if (!hasFeature(SCENE kFeatureTextures) || textureId == kNoTextureRecord) {
         return vec4(1.0f);
