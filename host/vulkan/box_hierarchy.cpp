@@ -14,7 +14,7 @@ namespace {
 
 using Type = vk::AccelerationStructureTypeKHR;
 
-// For the driver to build from.
+// Uploads input for a build.
 Buffer uploadInput(const Device& device, const std::span<const std::byte> data, const std::string& name) {
     Buffer buffer(device, BufferUse::hierarchyInput, data.size(), name);
     write(device, buffer, 0, data);
@@ -55,7 +55,7 @@ BoxHierarchy::Level BoxHierarchy::build(const Device& device, const Type type,
             device.handle(),
             vk::AccelerationStructureCreateInfoKHR({}, buffer.handle(), 0, buffer.size(), type));
 
-        // Its address counts, which a driver may want rounder than it makes it.
+        // The driver may require a stricter alignment of this buffer's address than it gives to buffers.
         const uint64_t alignment = device.report().minScratchAlignment;
         const Buffer scratch(device, BufferUse::scratch, sizes.buildScratchSize + alignment,
                              name + " (scratch)");

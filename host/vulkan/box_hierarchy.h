@@ -1,4 +1,4 @@
-// The driver's own bounding volume hierarchy over boxes, for ray queries: VK_KHR_acceleration_structure.
+// The driver's bounding volume hierarchy over boxes, for ray queries: VK_KHR_acceleration_structure.
 #pragma once
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/device.h"
@@ -9,13 +9,14 @@
 
 namespace metamarch::vulkan {
 
-// Move-only. Two levels, as Vulkan wants it: a bottom one over the boxes and a top one that holds it once, in
-// its own place and size.
+// Move-only. It has two levels, as Vulkan requires: a bottom level over the boxes and a top level with one
+// untransformed instance of it.
 class BoxHierarchy {
   public:
-    // For a device with ray queries (DeviceReport::hasRayQuery). A box's number in `boxes` is the primitive
-    // index of a ray query; neighbours in space should be neighbours in `boxes`, as not every driver sorts
-    // them. Throws Error(outOfMemory), naming the limit, where the device cannot hold it.
+    // The device must have ray queries (DeviceReport::hasRayQuery). The index of a box in `boxes` is its
+    // primitive index in ray queries. Neighbours in space should be neighbours in `boxes`, because not every
+    // driver sorts them. Throws Error(outOfMemory), naming the limit, if the device cannot hold the
+    // hierarchy.
     BoxHierarchy(const Device& device, std::span<const vk::AabbPositionsKHR> boxes, const std::string& name);
 
     uint64_t size() const { return bottom_.buffer.size() + top_.buffer.size(); } // bytes on the device
@@ -35,7 +36,7 @@ class BoxHierarchy {
     static Level buildTop(const Device& device, const Level& bottom, const std::string& name);
 
     Level bottom_;
-    Level top_; // points to the bottom one
+    Level top_; // refers to the bottom level
 };
 
 } // namespace metamarch::vulkan

@@ -13,7 +13,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-constexpr uint64_t kLeastSize = 16; // bytes in place of 0, which Vulkan refuses
+constexpr uint64_t kLeastSize = 16; // bytes; replaces a size of 0, which Vulkan forbids
 
 vk::BufferUsageFlags usageOf(BufferUse use) {
     using Usage = vk::BufferUsageFlagBits;
@@ -36,7 +36,8 @@ vk::BufferUsageFlags usageOf(BufferUse use) {
            Usage::eTransferDst;
 }
 
-// What the memory should have, the best first. Vulkan guarantees that the last one exists.
+// Returns the wanted memory properties, best first. Vulkan guarantees that a memory type with the last ones
+// exists.
 std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
     using Memory = vk::MemoryPropertyFlagBits;
     const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
@@ -50,7 +51,7 @@ std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
     }
 }
 
-// Of equals Vulkan lists the faster first.
+// Among equal memory types, Vulkan lists the faster one first.
 uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse use) {
     const vk::PhysicalDeviceMemoryProperties& memory = device.memoryProperties();
     for (const vk::MemoryPropertyFlags wish : memoryWishes(use)) {

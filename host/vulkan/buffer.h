@@ -1,4 +1,4 @@
-// One buffer and the memory it lives in.
+// A buffer with its own memory.
 #pragma once
 #include "metamarch/vulkan/device.h"
 
@@ -10,36 +10,37 @@
 namespace metamarch::vulkan {
 
 enum class BufferUse {
-    storage,  // device-local; shaders read and write it, or read it as constants, transfers fill and read it
-    upload,   // host memory the device copies from; mapped
-    readback, // host memory the device copies to; mapped, cached where the device can
-    // For a BoxHierarchy, device-local too: what it is built from, what it lives in, what building it takes.
+    storage,  // device-local; shaders read and write it, or read it as constants; transfers fill and read it
+    upload,   // host memory, mapped; the device copies from it
+    readback, // host memory, mapped, cached if possible; the device copies to it
+    // Device-local, for a BoxHierarchy: the input of the build, the hierarchy itself, and the build's scratch
+    // memory.
     hierarchyInput,
     hierarchy,
     scratch,
 };
 
-// Move-only; the name appears in error messages.
+// Move-only. The name appears in error messages.
 class Buffer {
   public:
-    // `size` in bytes; 0 is allowed (an empty scene has empty tables) and allocates the least possible.
-    // Throws Error(outOfMemory), naming buffer and size, when the device cannot hold it. The limit on what a
-    // shader can see of it (maxStorageBufferRange) is checked where it is bound: ComputePipeline::bind.
+    // `size` is in bytes; 0 is allowed (an empty scene has empty tables) and allocates the minimum. Throws
+    // Error(outOfMemory), naming buffer and size, if the device cannot hold it. ComputePipeline::bind checks
+    // the limit on what a shader can see of a buffer (maxStorageBufferRange).
     Buffer(const Device& device, BufferUse use, uint64_t size, std::string name);
 
     const std::string& name() const { return name_; }
-    uint64_t size() const { return size_; } // as asked for
+    uint64_t size() const { return size_; } // bytes, as requested
     vk::Buffer handle() const { return *buffer_; }
-    vk::DeviceAddress address() const { return address_; } // of a buffer for a BoxHierarchy; else 0
-    // The bytes as the host sees them; empty where they are device-local. Reading is valid after a Submission
-    // has been waited for.
+    vk::DeviceAddress address() const { return address_; } // for buffers of a BoxHierarchy; otherwise 0
+    // The bytes as mapped for the host; empty for device-local buffers. Read them only after waiting for the
+    // Submission that writes them.
     std::span<std::byte> mapped() const { return mapped_; }
 
   private:
     std::string name_;
     uint64_t size_;
     vk::raii::Buffer buffer_ = nullptr;
-    vk::raii::DeviceMemory memory_ = nullptr; // freeing it unmaps it
+    vk::raii::DeviceMemory memory_ = nullptr; // freeing it also unmaps it
     vk::DeviceAddress address_ = 0;
     std::span<std::byte> mapped_;
 };

@@ -14,7 +14,7 @@ std::string byteText(uint64_t bytes) {
     }
     double value = static_cast<double>(bytes) / 1024.0;
     size_t unit = 0;
-    while (value >= 1024.0) { // 2^64 bytes are 16 EiB: the table does not end before the value
+    while (value >= 1024.0) { // 2^64 bytes are 16 EiB, so the value ends before the table of units does
         value /= 1024.0;
         ++unit;
     }

@@ -1,11 +1,11 @@
-// Byte counts as messages and reports write them.
+// Formats byte counts for messages and reports.
 #pragma once
 #include <cstdint>
 #include <string>
 
 namespace metamarch::vulkan {
 
-// "17 bytes", "128.0 MiB", "2.5 GiB".
+// Returns a text such as "17 bytes", "128.0 MiB" or "2.5 GiB".
 std::string byteText(uint64_t bytes);
 
 } // namespace metamarch::vulkan

@@ -12,7 +12,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-// The least that maxUniformBufferRange can be, and far more than any kernel's constants.
+// In bytes. The smallest maxUniformBufferRange that Vulkan allows, far more than any kernel's constants need.
 constexpr uint64_t kUniformRange = 16384;
 
 void requireLimits(const DeviceReport& device, const KernelInfo& info) {
@@ -67,7 +67,7 @@ void ComputePipeline::createDescriptorSet() {
     for (const auto& [type, count] : counts) {
         sizes.emplace_back(type, count);
     }
-    // The RAII set frees itself, which a pool allows only with this flag.
+    // The RAII set frees itself, which requires this flag of the pool.
     descriptorPool_ = {
         device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
     vk::raii::DescriptorSets sets(device, {*descriptorPool_, *descriptorSetLayout_});

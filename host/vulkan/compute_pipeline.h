@@ -1,4 +1,4 @@
-// One compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
+// A compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
 #pragma once
 #include "metamarch/vulkan/box_hierarchy.h"
 #include "metamarch/vulkan/buffer.h"
@@ -12,29 +12,30 @@
 
 namespace metamarch::vulkan {
 
-// Everything a ComputePipeline is made from.
+// Everything that a ComputePipeline is made from.
 struct KernelInfo {
     std::string name{};                      // for error messages
-    std::span<const uint32_t> spirv{};       // entry point "main"; needed only while the pipeline is made
-    std::vector<uint32_t> storageBindings{}; // binding numbers of set 0, in any order
-    std::vector<uint32_t> uniformBindings{}; // the same for small constants, which all invocations read alike
-    std::map<uint32_t, vk::Format> texelBindings{}; // what a texel of each is
-    std::vector<uint32_t> hierarchyBindings{};      // the same for box hierarchies
+    std::span<const uint32_t> spirv{};       // entry point "main"; used only while the pipeline is created
+    std::vector<uint32_t> storageBindings{}; // binding numbers in set 0, in any order
+    std::vector<uint32_t> uniformBindings{}; // likewise, for small constants that all invocations read
+    std::map<uint32_t, vk::Format> texelBindings{}; // binding number to texel format
+    std::vector<uint32_t> hierarchyBindings{};      // likewise, for box hierarchies
     uint32_t pushConstantSize = 0;                  // bytes; 0: none
     std::map<uint32_t, uint32_t>
         specialization{}; // constant_id to its 32 bits (std::bit_cast a float or an int)
 };
 
-// Move-only. Drivers may compile at the first dispatch only (lavapipe does): warm up before timing.
+// Move-only. Drivers may postpone compilation to the first dispatch (lavapipe does), so warm up before
+// timing.
 class ComputePipeline {
   public:
-    // Throws Error(noDevice) when the device allows fewer storage buffers or push constants than the kernel
-    // wants, or cannot compile it.
+    // Throws Error(noDevice) if the device allows fewer storage buffers or push constants than the kernel
+    // needs, or cannot compile it.
     ComputePipeline(const Device& device, const KernelInfo& info);
 
-    // Makes the whole of `buffer` visible at `binding`. Not while a Submission that uses this pipeline runs;
-    // the buffer must live until the last such submission has ended. Throws Error(outOfMemory) when the
-    // buffer is larger than the device lets a shader see.
+    // Binds the whole of `buffer` to `binding`. Must not be called while a Submission that uses this pipeline
+    // is running; the buffer must outlive the last such submission. Throws Error(outOfMemory) if the buffer
+    // is larger than what the device lets a shader see.
     void bind(uint32_t binding, const Buffer& buffer);
     void bind(uint32_t binding, const BoxHierarchy& hierarchy);
 

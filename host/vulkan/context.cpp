@@ -26,10 +26,10 @@ VKAPI_ATTR VkBool32 VKAPI_CALL countMessage(VkDebugUtilsMessageSeverityFlagBitsE
     std::string line = data->pMessage == nullptr ? "" : data->pMessage;
     std::replace(line.begin(), line.end(), '\n', ' ');
     fmt::print(stderr, "validation: {}\n", line);
-    return VK_FALSE; // the call goes on
+    return VK_FALSE; // lets the call continue
 }
 
-// Type "general" is left out: there the loader talks about broken drivers of other devices.
+// The type "general" is left out, because the loader uses it to report broken drivers of other devices.
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -85,7 +85,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& loader,
         }
     }
     vk::InstanceCreateFlags flags;
-    // Without it the loader hides the drivers that translate to another API (MoltenVK).
+    // Without this extension the loader hides drivers that translate to another API (MoltenVK).
     if (extensionPresent(loader, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
         extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
         flags |= vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
@@ -93,7 +93,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& loader,
 
     const vk::ApplicationInfo application("metamarch", METAMARCH_VERSION, "metamarch", METAMARCH_VERSION,
                                           kApiVersion);
-    // The messenger in the chain hears what happens while the instance itself is made and destroyed.
+    // A messenger in the pNext chain also hears of the creation and destruction of the instance itself.
     const auto synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
     const vk::DebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
     const vk::ValidationFeaturesEXT features(synchronization, {}, &messenger);
@@ -127,7 +127,7 @@ std::vector<vk::raii::PhysicalDevice> findPhysicalDevices(const vk::raii::Instan
             return devices;
         }
     } catch (const vk::InitializationFailedError&) {
-        // how some loaders say that there is none
+        // Some loaders report in this way that there is no device.
     }
     refuse("no Vulkan device");
 }

@@ -1,4 +1,5 @@
-// The Vulkan instance: loader, version, validation. It knows no window: who has one names the extensions.
+// The Vulkan instance: loader, version, validation. It knows nothing about windows; a caller with a window
+// passes the extensions for it.
 #pragma once
 #include <vulkan/vulkan_raii.hpp>
 
@@ -8,36 +9,37 @@
 
 namespace metamarch::vulkan {
 
-// What the shaders are compiled for (--target-env vulkan1.2) and the least a device must offer.
+// The Vulkan version that shaders are compiled for (--target-env vulkan1.2) and that a device must support at
+// least.
 inline constexpr uint32_t kApiVersion = VK_API_VERSION_1_2;
 
 // Opens the Vulkan loader. Must outlive every Device made from it.
 //
-// With METAMARCH_VALIDATION=1 in the environment the Khronos validation layer runs with synchronization
-// validation; each of its warnings and errors goes to stderr as one line and is counted.
+// With METAMARCH_VALIDATION=1 in the environment, the Khronos validation layer runs with synchronization
+// validation. Each of its warnings and errors is counted and written to stderr as one line.
 //
-// Throws Error(noDevice), whose line names the package to install, when there is no loader, no driver, no
-// device at all, when validation is asked for and its layer is missing, or when the drivers lack one of the
-// `instanceExtensions`, which windows take.
+// Throws Error(noDevice), naming the package to install, if there is no loader, no driver or no device, if
+// validation is requested and its layer is missing, or if the drivers lack one of `instanceExtensions`, which
+// windows need.
 class Context {
   public:
     explicit Context(std::span<const char* const> instanceExtensions = {});
 
     const vk::raii::Instance& instance() const { return instance_; }
 
-    // In the order of the loader: the INDEX of --device.
+    // In the loader's order, which is the INDEX of --device.
     const std::vector<vk::raii::PhysicalDevice>& physicalDevices() const { return physicalDevices_; }
 
   private:
     vk::raii::Context loader_;
     vk::raii::Instance instance_;
-    vk::raii::DebugUtilsMessengerEXT messenger_; // destroyed before the instance it listens to
+    vk::raii::DebugUtilsMessengerEXT messenger_; // destroyed before the instance
     std::vector<vk::raii::PhysicalDevice> physicalDevices_;
 };
 
-// Warnings and errors of the validation layer since the program began. Counted per process and not per
-// Context: the layer reports leaked objects while the instance dies, and main() must still see them
-// afterwards.
+// Returns the number of warnings and errors of the validation layer since the program started. They are
+// counted per process rather than per Context: the layer reports leaked objects while the instance is
+// destroyed, and main() must still see them afterwards.
 uint32_t validationMessages();
 
 } // namespace metamarch::vulkan

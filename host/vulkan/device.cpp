@@ -18,8 +18,8 @@ DeviceReport chosenReport(const Context& context, const std::string& selection, 
 }
 
 vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, const DeviceReport& report) {
-    // A device that lists this extension must be opened with it. Its name is in a header for beta extensions
-    // only.
+    // If a device lists this extension, it must be enabled. Its name is defined only in a header for beta
+    // extensions.
     constexpr const char* kPortabilitySubset = "VK_KHR_portability_subset";
     std::vector<const char*> extensions;
     for (const vk::ExtensionProperties& extension : physicalDevice.enumerateDeviceExtensionProperties()) {

@@ -1,4 +1,4 @@
-// An opened device: one compute queue, one command pool, one pipeline cache.
+// An open device with a compute queue, a command pool and a pipeline cache.
 #pragma once
 #include "metamarch/vulkan/context.h"
 #include "metamarch/vulkan/device_report.h"
@@ -9,10 +9,10 @@
 
 namespace metamarch::vulkan {
 
-// Opens the device `selection` names (see chooseDevice; empty: the best one) without any optional feature but
-// ray queries, where it has them; for a window also VK_KHR_swapchain.
-// Must outlive every Buffer, ComputePipeline and Submission made from it, which point to it: it neither
-// copies nor moves. To be used by one thread at a time. Throws Error(noDevice).
+// Opens the device that `selection` names (see chooseDevice; empty: the best one). Enables no optional
+// feature except ray queries, if the device has them, and for windows VK_KHR_swapchain. Must outlive every
+// Buffer, ComputePipeline and Submission made from it; they point to it, so it can be neither copied nor
+// moved. Use it from one thread at a time. Throws Error(noDevice).
 class Device {
   public:
     explicit Device(const Context& context, const std::string& selection = "",
@@ -22,7 +22,7 @@ class Device {
 
     const DeviceReport& report() const { return report_; }
     const std::string& name() const { return report_.name; }
-    // Nanoseconds per tick of a timestamp; 0 when the queue has none.
+    // Nanoseconds per timestamp tick; 0 if the queue has no timestamps.
     float timestampPeriod() const { return report_.timestampValidBits == 0 ? 0.0f : report_.timestampPeriod; }
 
     const vk::raii::Device& handle() const { return device_; }
@@ -36,7 +36,7 @@ class Device {
     Device(const Context& context, DeviceReport report);
 
     DeviceReport report_;
-    const vk::raii::PhysicalDevice* physicalDevice_; // the context's
+    const vk::raii::PhysicalDevice* physicalDevice_; // owned by the context
     vk::PhysicalDeviceMemoryProperties memoryProperties_;
     vk::raii::Device device_;
     vk::raii::Queue queue_;

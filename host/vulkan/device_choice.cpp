@@ -18,7 +18,7 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-// "0: llvmpipe (LLVM 15.0.6, 256 bits); 1: Old GPU (not usable: no compute queue)"
+// Returns a text such as "0: llvmpipe (LLVM 15.0.6, 256 bits); 1: Old GPU (not usable: no compute queue)".
 std::string listText(std::span<const DeviceReport> reports) {
     std::string list;
     for (const DeviceReport& report : reports) {
@@ -70,7 +70,7 @@ std::optional<uint32_t> defaultDevice(std::span<const DeviceReport> reports) {
     const DeviceReport* best = nullptr;
     for (const DeviceReport& report : reports) {
         if (report.usable() &&
-            (best == nullptr || report.type < best->type)) { // DeviceType lists the best first
+            (best == nullptr || report.type < best->type)) { // DeviceType is in order of preference
             best = &report;
         }
     }

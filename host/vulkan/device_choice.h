@@ -1,4 +1,4 @@
-// Which device to run on.
+// Chooses the device to run on.
 #pragma once
 #include "metamarch/vulkan/device_report.h"
 
@@ -9,13 +9,13 @@
 
 namespace metamarch::vulkan {
 
-// The index of the device to use without a selection: discrete before integrated, virtual, cpu and other; the
-// first of equals. Nothing when no device is usable.
+// Returns the index of the default device: discrete before integrated, virtual, cpu and other; the first
+// among equals. Returns nothing if no device is usable.
 std::optional<uint32_t> defaultDevice(std::span<const DeviceReport> reports);
 
-// The index of the device `selection` names (--device). Empty: the default one. Only digits: that index.
-// Otherwise a part of the name, in any case, that must fit exactly one usable device.
-// Throws Error(noDevice), whose line lists the devices with their refusals.
+// Returns the index of the device that `selection` (--device) names. Empty means the default device; digits
+// only mean that index; anything else is a part of the name, in any case, that must match exactly one usable
+// device. Throws Error(noDevice), listing the devices and why they are refused.
 uint32_t chooseDevice(std::span<const DeviceReport> reports, const std::string& selection);
 
 } // namespace metamarch::vulkan

@@ -8,10 +8,10 @@
 namespace metamarch::vulkan {
 namespace {
 
-// What every kernel may count on.
+// What every kernel may rely on.
 constexpr uint32_t kWorkGroupSize = 64;      // invocations, all along x
 constexpr uint32_t kStorageBuffers = 8;      // per kernel
-constexpr uint32_t kPushConstantBytes = 128; // the least Vulkan guarantees
+constexpr uint32_t kPushConstantBytes = 128; // the minimum that Vulkan guarantees
 
 DeviceType typeOf(vk::PhysicalDeviceType type) {
     switch (type) {
@@ -39,8 +39,8 @@ void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.maxPushConstantsSize = limits.maxPushConstantsSize;
 }
 
-// For computing a family that cannot draw comes first: on GPUs that have one its work runs beside the
-// desktop's.
+// For DeviceUse::compute a family without graphics is preferred: on GPUs that have one, its work runs beside
+// the desktop's.
 void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto families = physicalDevice.getQueueFamilyProperties();
     for (uint32_t family = 0; family < families.size(); ++family) {
@@ -71,7 +71,7 @@ void addHeap(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevic
     }
 }
 
-// Only a Vulkan 1.2 device can be asked for these.
+// Only a Vulkan 1.2 device has these properties.
 void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto chain =
         physicalDevice
@@ -91,7 +91,7 @@ bool lists(const std::vector<vk::ExtensionProperties>& extensions, const char* c
     });
 }
 
-// Extensions first: only a device that lists them can be asked for their features and properties.
+// Check the extensions first: only a device that lists them may be asked for their features and properties.
 void addRayQuery(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto extensions = physicalDevice.enumerateDeviceExtensionProperties();
     for (const char* const wanted : kRayQueryExtensions) {

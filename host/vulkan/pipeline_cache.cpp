@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What we put before the driver's bytes. Drivers may crash on damaged data (Vulkan forbids handing it to
+// Our header before the driver's bytes. Drivers may crash on damaged data (Vulkan forbids passing it to
 // them), so we check every byte ourselves.
 struct FileHeader {
     char magic[8];
-    uint64_t size; // bytes that follow
-    uint64_t hash; // hashOf those
+    uint64_t size; // number of bytes that follow
+    uint64_t hash; // hashOf those bytes
 };
 constexpr char kMagic[8] = {'M', 'M', 'C', 'A', 'C', 'H', 'E', '1'};
 
@@ -47,7 +47,7 @@ bool isForDevice(std::span<const uint8_t> data, const vk::PhysicalDeviceProperti
            std::memcmp(header.pipelineCacheUUID, properties.pipelineCacheUUID.data(), VK_UUID_SIZE) == 0;
 }
 
-// The driver's bytes, or none when the file is missing, damaged or of another device.
+// Returns the driver's bytes, or none if the file is missing, damaged or belongs to another device.
 std::vector<uint8_t> readCache(const fs::path& file, const vk::PhysicalDeviceProperties& properties) {
     std::ifstream stream(file, std::ios::binary);
     FileHeader header;
@@ -60,7 +60,8 @@ std::vector<uint8_t> readCache(const fs::path& file, const vk::PhysicalDevicePro
     return whole && isForDevice(data, properties) ? data : std::vector<uint8_t>();
 }
 
-// Under a name of its own, then renamed: another process sees the old file or the new one, never half of one.
+// Writes to a temporary file and renames it: other processes see the old file or the new one, never a part of
+// one.
 void writeCache(const fs::path& file, std::span<const uint8_t> data) {
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
@@ -76,7 +77,7 @@ void writeCache(const fs::path& file, std::span<const uint8_t> data) {
     if (stream) {
         fs::rename(temporary, file, ignored);
     }
-    fs::remove(temporary, ignored); // gone already unless something failed
+    fs::remove(temporary, ignored); // it still exists only if something failed
 }
 
 vk::raii::PipelineCache createCache(const std::optional<fs::path>& file, const vk::raii::Device& device,
@@ -91,8 +92,7 @@ std::optional<fs::path> pipelineCacheFile(const vk::PhysicalDeviceProperties& pr
     const char* const cacheHome = std::getenv("XDG_CACHE_HOME");
     const char* const home = std::getenv("HOME");
     fs::path folder;
-    if (cacheHome != nullptr &&
-        fs::path(cacheHome).is_absolute()) { // a relative one counts as unset, says XDG
+    if (cacheHome != nullptr && fs::path(cacheHome).is_absolute()) { // XDG: a relative path counts as unset
         folder = cacheHome;
     } else if (home != nullptr && fs::path(home).is_absolute()) {
         folder = fs::path(home) / ".cache";
@@ -115,7 +115,7 @@ PipelineCache::~PipelineCache() {
     try {
         writeCache(*file_, cache_.getData());
     } catch (const std::exception&) {
-        // the next run compiles again
+        // The next run compiles again.
     }
 }
 

@@ -7,8 +7,8 @@
 
 namespace metamarch::vulkan {
 
-// Read from disk when made, written back when destroyed. A cache is a convenience: a missing, damaged or
-// foreign file is ignored, and a failure to write is no error.
+// Reads the cache from disk when constructed and writes it back when destroyed. The cache is a convenience: a
+// missing, damaged or foreign file is ignored, and a failure to write is not an error.
 class PipelineCache {
   public:
     PipelineCache(const vk::raii::PhysicalDevice& physicalDevice, const vk::raii::Device& device);
@@ -22,8 +22,8 @@ class PipelineCache {
     vk::raii::PipelineCache cache_;
 };
 
-// The file for this very device and driver, in $XDG_CACHE_HOME/metamarch or ~/.cache/metamarch; nothing when
-// neither variable holds an absolute path.
+// Returns the file for exactly this device and driver, in $XDG_CACHE_HOME/metamarch or ~/.cache/metamarch;
+// nothing if neither variable holds an absolute path.
 std::optional<std::filesystem::path> pipelineCacheFile(const vk::PhysicalDeviceProperties& properties);
 
 } // namespace metamarch::vulkan

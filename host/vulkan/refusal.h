@@ -1,4 +1,4 @@
-// Vulkan's error codes as the project's Error.
+// Converts Vulkan's error codes to Error.
 #pragma once
 #include "metamarch/error/error.h"
 
@@ -8,8 +8,8 @@
 
 namespace metamarch::vulkan {
 
-// `what` and the driver's words; outOfMemory for the codes that say so, noDevice for a lost device and the
-// rest.
+// Returns an Error with the text `what` and the driver's words. Its kind is outOfMemory for the out-of-memory
+// codes and noDevice for a lost device and all others.
 Error refusalOf(const vk::SystemError& error, const std::string& what);
 
 } // namespace metamarch::vulkan

@@ -19,7 +19,7 @@ constexpr vk::PipelineStageFlags kWorkStages = Stage::eComputeShader | Stage::eT
 constexpr vk::AccessFlags kWorkWrites = Access::eShaderWrite | Access::eTransferWrite;
 constexpr vk::AccessFlags kWorkReads = Access::eShaderRead | Access::eTransferRead;
 
-// Only a device with ray queries knows hierarchies, which are built in a stage of their own.
+// Hierarchies are built in a separate pipeline stage, which exists only on devices with ray queries.
 vk::PipelineStageFlags workStages(const Device& device) {
     return device.report().hasRayQuery() ? kWorkStages | Stage::eAccelerationStructureBuildKHR : kWorkStages;
 }
@@ -41,8 +41,8 @@ vk::raii::CommandBuffer allocateCommandBuffer(const Device& device) {
 Commands::Commands(const Device& device, const vk::raii::CommandBuffer& commandBuffer)
     : device_(&device), commandBuffer_(&commandBuffer) {}
 
-// One barrier over all memory: the stages of a renderer depend on each other anyway, and drivers make no use
-// of finer ones. It stands before the first command too, against earlier submissions.
+// A single barrier over all memory: the stages of a renderer depend on each other anyway, and drivers do not
+// exploit finer barriers. It also precedes the first command, to order it after earlier submissions.
 void Commands::waitForEarlierCommands() {
     const vk::MemoryBarrier barrier(workWrites(*device_), workReads(*device_) | workWrites(*device_));
     commandBuffer_->pipelineBarrier(workStages(*device_), workStages(*device_), {}, barrier, {}, {});
@@ -77,7 +77,7 @@ void Commands::dispatchBytes(const ComputePipeline& pipeline, GroupCount groups,
 void Commands::copy(const Buffer& from, uint64_t fromOffset, const Buffer& to, uint64_t toOffset,
                     uint64_t size) {
     if (size == 0) {
-        return; // Vulkan has no empty copies
+        return; // Vulkan forbids empty copies
     }
     waitForEarlierCommands();
     commandBuffer_->copyBuffer(from.handle(), to.handle(), vk::BufferCopy(fromOffset, toOffset, size));
@@ -91,7 +91,7 @@ void Commands::build(const vk::AccelerationStructureBuildGeometryInfoKHR& info, 
 
 void Commands::fill(const Buffer& buffer, uint32_t word) {
     if (buffer.size() == 0) {
-        return; // there is nothing in it to read
+        return; // nothing in it can be read
     }
     waitForEarlierCommands();
     commandBuffer_->fillBuffer(buffer.handle(), 0, buffer.size(), word);
@@ -112,7 +112,7 @@ Submission::~Submission() {
     try {
         wait();
     } catch (const std::exception&) {
-        // The device is lost; whoever uses it next is told.
+        // The device is lost. Its next user gets an error.
     }
 }
 
@@ -121,7 +121,7 @@ void Submission::start(const Recorder& record) {
         throw std::logic_error("Submission::start: the work before has not been waited for");
     }
     try {
-        commandBuffer_.reset(); // it may be half recorded: a recorder may throw
+        commandBuffer_.reset(); // it may be partly recorded, because a recorder may throw
         commandBuffer_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
         const bool timed = *timestamps_;
         if (timed) {
@@ -150,7 +150,7 @@ double Submission::wait() {
     if (!inFlight_) {
         throw std::logic_error("Submission::wait: nothing was started");
     }
-    inFlight_ = false; // also when the device is lost: nothing will come of another wait
+    inFlight_ = false; // even if the device is lost: another wait would not help
     try {
         const auto timeout = std::chrono::nanoseconds(kTimeout).count();
         const vk::Result result =
@@ -177,7 +177,8 @@ double Submission::deviceSeconds() const {
     const auto [result, ticks] =
         timestamps_.getResults<uint64_t>(0, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),
                                          vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
-    const uint32_t unusedBits = 64 - device_->report().timestampValidBits; // a counter of n bits wraps at 2^n
+    // A counter with n bits wraps at 2^n.
+    const uint32_t unusedBits = 64 - device_->report().timestampValidBits;
     const uint64_t elapsed = ((ticks[1] - ticks[0]) << unusedBits) >> unusedBits;
     return static_cast<double>(elapsed) * device_->timestampPeriod() * 1e-9;
 }

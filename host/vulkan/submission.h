@@ -1,4 +1,4 @@
-// One bounded piece of work for the device: recorded, submitted, waited for, timed.
+// A bounded piece of work for the device: record, submit, wait, time.
 #pragma once
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/compute_pipeline.h"
@@ -16,30 +16,30 @@ namespace metamarch::vulkan {
 
 using GroupCount = std::array<uint32_t, 3>;
 
-// What a Submission's recorder writes its work with. Each command sees everything that the commands before it
-// wrote, and the host sees everything once the submission has been waited for: there is no barrier to forget.
+// Records the work of a Submission. Each command sees everything that earlier commands wrote, and the host
+// sees everything once it has waited for the submission. The caller needs no barriers.
 class Commands {
   public:
     Commands(const Device& device, const vk::raii::CommandBuffer& commandBuffer);
 
-    // Runs `groups` workgroups of a kernel all of whose bindings are bound.
-    // Throws Error(outOfMemory) for more groups than one dispatch can hold.
+    // Runs `groups` workgroups of a kernel whose bindings are all bound. Throws Error(outOfMemory) if a
+    // dispatch cannot hold that many groups.
     void dispatch(const ComputePipeline& pipeline, GroupCount groups) { dispatchBytes(pipeline, groups, {}); }
 
-    // The same for a kernel with push constants; sizeof(T) is its pushConstantSize.
+    // Likewise, for a kernel with push constants; sizeof(T) must be its pushConstantSize.
     template <class T>
     void dispatch(const ComputePipeline& pipeline, GroupCount groups, const T& pushConstants) {
         static_assert(std::is_trivially_copyable_v<T>);
         dispatchBytes(pipeline, groups, std::as_bytes(std::span(&pushConstants, 1)));
     }
 
-    // Copies `size` bytes; offsets in bytes. A size of 0 does nothing.
+    // Copies `size` bytes; offsets are in bytes. A size of 0 does nothing.
     void copy(const Buffer& from, uint64_t fromOffset, const Buffer& to, uint64_t toOffset, uint64_t size);
 
-    // Builds one of the levels of a BoxHierarchy, of one geometry with `count` primitives.
+    // Builds one level of a BoxHierarchy from a geometry with `count` primitives.
     void build(const vk::AccelerationStructureBuildGeometryInfoKHR& info, uint32_t count);
 
-    // Fills the buffer, whose size is a multiple of 4, with copies of `word`.
+    // Fills the buffer with copies of `word`; its size must be a multiple of 4.
     void fill(const Buffer& buffer, uint32_t word);
 
   private:
@@ -51,8 +51,8 @@ class Commands {
     const vk::raii::CommandBuffer* commandBuffer_;
 };
 
-// Reusable, one piece of work at a time; two Submissions can be in flight together. It neither copies nor
-// moves, because the device may still be working on it.
+// Reusable, for one piece of work at a time; two Submissions may be in flight together. It can be neither
+// copied nor moved, because the device may still be working on it.
 class Submission {
   public:
     using Recorder = std::function<void(Commands&)>;
@@ -60,19 +60,21 @@ class Submission {
     explicit Submission(const Device& device);
     Submission(const Submission&) = delete;
     Submission& operator=(const Submission&) = delete;
-    ~Submission(); // waits for work still in flight
+    ~Submission(); // waits if work is in flight
 
-    // Records and submits. What it uses must stay alive and untouched until wait() returns.
+    // Records and submits. Everything that the work uses must stay alive and unmodified until wait() returns.
     void start(const Recorder& record);
 
-    // Returns the seconds the work took on the device: by its timestamps, or by the wall clock from start()
-    // on a queue without them. Throws Error(noDevice) when the device is lost or does not end in kTimeout.
+    // Returns the seconds that the work took on the device, measured by timestamps or, on a queue without
+    // them, by wall clock from start(). Throws Error(noDevice) if the device is lost or does not finish
+    // within kTimeout.
     double wait();
 
-    // start() and wait().
+    // Calls start() and wait().
     double run(const Recorder& record);
 
-    // Far beyond the 50 to 100 ms of work a submission should hold; lavapipe may compile for seconds first.
+    // Far longer than the 50 to 100 ms of work that a submission should hold, because lavapipe may first
+    // compile for seconds.
     static constexpr std::chrono::minutes kTimeout{5};
 
   private:

@@ -1,4 +1,4 @@
-// Bytes from the host to a device-local buffer and back, through host-visible memory of bounded size.
+// Copies between the host and device-local buffers, through host-visible memory of bounded size.
 #pragma once
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/device.h"
@@ -13,26 +13,26 @@
 
 namespace metamarch::vulkan {
 
-// Host-visible memory a transfer holds at most; longer data goes in chunks of this size.
+// The most host-visible memory that a transfer uses, in bytes. Longer data is copied in chunks of this size.
 inline constexpr uint64_t kTransferChunkSize = uint64_t{16} << 20;
 
-// Overwrites data.size() bytes of `buffer` from byte `offset` on. Returns when the device has them.
+// Overwrites data.size() bytes of `buffer`, starting at byte `offset`. Returns when the device has them.
 void write(const Device& device, const Buffer& buffer, uint64_t offset, std::span<const std::byte> data);
 
-// Fills `data` from byte `offset` of `buffer` on.
+// Fills `data` from `buffer`, starting at byte `offset`.
 void read(const Device& device, const Buffer& buffer, uint64_t offset, std::span<std::byte> data);
 
-// A new storage buffer that holds `data`. Throws Error(outOfMemory).
+// Returns a new storage buffer that holds `data`. Throws Error(outOfMemory).
 Buffer upload(const Device& device, std::span<const std::byte> data, std::string name);
 
-// The same for any container of plain values: upload(device, std::span(triangles), "triangles").
+// Likewise, for any container of plain values: upload(device, std::span(triangles), "triangles").
 template <class T>
 Buffer upload(const Device& device, std::span<T> values, std::string name) {
     static_assert(std::is_trivially_copyable_v<T>);
     return upload(device, std::as_bytes(values), std::move(name));
 }
 
-// The whole buffer as values of T; its size must be a multiple of sizeof(T).
+// Returns the whole buffer as values of T; its size must be a multiple of sizeof(T).
 template <class T>
 std::vector<T> download(const Device& device, const Buffer& buffer) {
     static_assert(std::is_trivially_copyable_v<T>);
