@@ -1,8 +1,8 @@
-// Google Benchmark of the tree and table build.
+// Google Benchmark of building tree and table.
 //
 //   metamarch_build_bench [options of Google Benchmark] [SCENE...]
 //
-// Without a scene it builds over a sphere of 200,000 triangles. Importing the file is not measured.
+// Without a scene it builds over a sphere with 200,000 triangles. Importing the file is not measured.
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/error/error.h"
 #include "metamarch/scene/import.h"
@@ -21,7 +21,7 @@ namespace {
 using namespace metamarch;
 
 constexpr std::uint32_t kSlices = 500;
-constexpr std::uint32_t kStacks = 201; // 2 * kSlices * (kStacks - 1) triangles
+constexpr std::uint32_t kStacks = 201; // gives 2 * kSlices * (kStacks - 1) triangles
 
 Scene sphere() {
     Scene scene;

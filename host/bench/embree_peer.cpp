@@ -48,7 +48,7 @@ void traceSingly(const RTCScene scene, const std::span<const RayQuery> rays, con
             rtcIntersect1(scene, &context, &hit);
         } else {
             rtcOccluded1(scene, &context, &hit.ray);
-            hit.hit.primID = hit.ray.tfar < 0.0f ? 0u : kNoTriangle; // Embree says so by -inf
+            hit.hit.primID = hit.ray.tfar < 0.0f ? 0u : kNoTriangle; // Embree reports a hit by -inf
         }
         results[i] = {hit.ray.tfar, hit.hit.primID, 0, 0};
     }

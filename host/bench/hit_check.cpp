@@ -17,7 +17,7 @@ bool isSameHit(const RayQuery& ray, const RayResult& a, const RayResult& b, cons
         return a.triangleId == b.triangleId &&
                std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
     }
-    // A t of a far origin is itself rounded: two ulps of it.
+    // The t of a ray with a distant origin is itself rounded; allow two ulps of it.
     const float rounding = 0x1p-22f * std::max(std::abs(a.t), std::abs(b.t));
     return std::abs(a.t - b.t) <= distance / glm::length(ray.dir) + rounding;
 }

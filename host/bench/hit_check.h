@@ -1,4 +1,4 @@
-// Whether a traversal found what the judge found.
+// Compares a traversal's hits with the reference's.
 #pragma once
 #include "metamarch/reference/trace.h"
 #include "metamarch/shared/ray_query.h"
@@ -9,17 +9,18 @@
 
 namespace metamarch::bench {
 
-// How alike hits must be.
+// How much hits may differ.
 struct HitTolerance {
-    float distance = 0.0f; // between two hits of a ray in world units; 0: the same bits and triangle
-    double budget = 0.0;   // part of the rays that may differ all the same
+    float distance = 0.0f; // between two hits of a ray, world units; 0: same bits and same triangle
+    double budget = 0.0;   // fraction of the rays that may exceed the distance
 };
 
-// On lavapipe every bit is the judge's. Other devices may divide within 2.5 ulp (DESIGN.md 3.9): hits may lie
-// apart by the lattice's kReferenceMargin, and 2e-5 of the rays, at silhouettes and edges, by more.
+// On lavapipe all bits must equal the reference's. Vulkan lets other devices divide with an error of 2.5 ulp:
+// hits may be apart by the lattice's kReferenceMargin, and for 2e-5 of the rays, at silhouettes and edges, by
+// more.
 HitTolerance toleranceOn(const std::string& driver, const Lattice& lattice);
 
-// Rays whose results differ; of any-hit queries only hit and miss are compared.
+// Returns the number of rays whose results differ. For any-hit queries only hit or miss is compared.
 std::uint64_t countDifferent(std::span<const RayQuery> rays, std::span<const RayResult> results,
                              std::span<const RayResult> judged, HitQuery query,
                              const HitTolerance& tolerance);

@@ -5,9 +5,9 @@
 namespace metamarch::bench {
 namespace {
 
-constexpr double kShortestRun = 1e-9; // seconds; a clock may not have ticked
+constexpr double kShortestRun = 1e-9; // seconds; the clock may not have advanced
 
-// Of a run too short for the clock, so that measuring ends.
+// Ends the measurement even if a run is too short for the clock.
 constexpr std::size_t kMostRuns = 10000;
 
 } // namespace

@@ -1,4 +1,4 @@
-// How a speed is measured: after a warm-up, until there are enough runs and enough time has gone by.
+// Measures a speed: after a warm-up, until there are enough runs and enough time has passed.
 #pragma once
 #include "metamarch/bench/statistics.h"
 
@@ -8,13 +8,13 @@
 namespace metamarch::bench {
 
 struct Protocol {
-    unsigned repeat = 5;  // runs at least, 1 or more
-    double seconds = 0.5; // measured seconds at least
+    unsigned repeat = 5;  // minimum number of runs; at least 1
+    double seconds = 0.5; // minimum of measured seconds
 };
 
-// Runs `run`, which traces `rayCount` rays and returns the seconds that took, as `protocol` says. The caller
-// has run it before: the first run compiles, fills caches and finds the size of submissions. Returns Mrays/s;
-// zero where there is no ray.
+// Calls `run`, which traces `rayCount` rays and returns the seconds that it took, as often as `protocol`
+// asks. The caller must have called it once before, because the first run compiles, fills caches and finds
+// the size of submissions. Returns Mrays/s, or zero if there are no rays.
 Summary measureMraysPerSecond(const Protocol& protocol, std::uint64_t rayCount,
                               const std::function<double()>& run);
 

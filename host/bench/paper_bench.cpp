@@ -33,7 +33,7 @@ double longestSide(const Scene& scene) {
     return static_cast<double>(largest(bounds.hi - bounds.lo));
 }
 
-// The rays of one view: the camera's, and one of each kind from each of their hits.
+// Returns the rays of a view: the camera's, and from each of their hits one ray of each kind.
 std::vector<JudgedRays> raysOfView(const BenchScene& scene, const AxisView& view, const std::uint32_t width,
                                    const std::uint32_t height) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -54,8 +54,8 @@ std::vector<JudgedRays> raysOfView(const BenchScene& scene, const AxisView& view
 
 } // namespace
 
-// Where the cells of the paper come from: ceil(extent / unit) an axis gives them for the Viewpoint cow
-// divided by 10, whose longest side is 1.04439, and for the bunny as it is.
+// The paper's numbers of cells follow from ceil(extent / unit) cells per axis: for the Viewpoint cow divided
+// by 10, whose longest side is 1.04439, and for the bunny in its own size.
 const std::array<PaperModel, 2>& paperModels() {
     static const std::array<PaperModel, 2> kModels{
         {{"cow", {"cow.off", "cow_viewpoint.obj"}, 1.04439, 0.02, 30528},

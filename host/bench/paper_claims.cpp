@@ -7,11 +7,11 @@
 namespace metamarch::bench {
 namespace {
 
-// The paper, sections 4 and 5.
-constexpr double kClaimedVisits = 0.80; // fewer, at least
-constexpr double kClaimedTime = 0.30;   // less, at least
+// Claims of the paper, sections 4 and 5.
+constexpr double kClaimedVisits = 0.80; // minimum fraction of visits saved
+constexpr double kClaimedTime = 0.30;   // minimum fraction of time saved
 
-// The march and the stack traversal on the same rays.
+// The rows of the march and of the stack traversal for the same rays.
 struct Pair {
     const Row* stack;
     const Row* march;
@@ -34,12 +34,12 @@ std::vector<Pair> pairsOf(const std::span<const Row> rows) {
     return pairs;
 }
 
-// The part of the stack's visits, and of its time, that the march saves.
+// Return the fraction of the stack traversal's visits, or of its time, that the march saves.
 double fewerVisits(const Pair& pair) { return 1.0 - *pair.march->visitsPerRay / *pair.stack->visitsPerRay; }
 double lessTime(const Pair& pair) { return 1.0 - pair.stack->mraysPerSecond / pair.march->mraysPerSecond; }
 
-// One line for the pairs of a scene, ray set and backend: the saving in each view, and whether it is at least
-// what is claimed in all of them.
+// Returns a line for the pairs of a scene, ray set and backend: the saving in each view, and whether it
+// reaches the claim in all of them.
 template <class Saving>
 std::string savings(const std::span<const Pair> pairs, const Row& like, const Saving& saving,
                     const double claimed) {

@@ -1,4 +1,4 @@
-// Random numbers that are a function of (seed, index, how many were taken): the same on every machine.
+// Random numbers as a function of the seed, the index and how many were drawn: the same on every machine.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -11,7 +11,7 @@ class RandomNumbers {
   public:
     RandomNumbers(const std::uint64_t seed, const std::uint64_t index) : state(mix(mix(seed) ^ index)) {}
 
-    // In [0, 1), 24 bits.
+    // Returns a number in [0, 1) with 24 random bits.
     float unit() {
         state += kIncrement;
         return static_cast<float>(mix(state) >> 40u) * 0x1p-24f;
@@ -31,7 +31,8 @@ class RandomNumbers {
         return {p.x * ring, p.y * ring, 1.0f - 2.0f * squared};
     }
 
-    // Around +z with a density of cos / pi: a point of the disc, raised to the sphere (Malley's method).
+    // Cosine-distributed around +z (density cos / pi): a point of the disc projected up to the sphere
+    // (Malley's method).
     glm::vec3 aroundZ() {
         const glm::vec2 p = inDisc();
         return {p, std::sqrt(1.0f - glm::dot(p, p))};
@@ -46,7 +47,7 @@ class RandomNumbers {
         return z ^ (z >> 31u);
     }
 
-    // Uniform in the open unit disc. By rejection: sin and cos differ between libraries.
+    // Uniform in the open unit disc, by rejection, because sin and cos differ between libraries.
     glm::vec2 inDisc() {
         while (true) {
             const float x = 2.0f * unit() - 1.0f;

@@ -1,4 +1,4 @@
-// Rays of the user: --rays FILE.
+// Reads the user's rays: --rays FILE.
 #pragma once
 #include "metamarch/bench/ray_set.h"
 
@@ -6,9 +6,9 @@
 
 namespace metamarch::bench {
 
-// Six little-endian float32 per ray, origin and direction, nothing else. Closest hits, of any distance.
-// Throws Error(inputRefused) for a file that cannot be read, is empty or not of whole rays, and for a number
-// that is not finite or a direction of zero, naming the ray.
+// The file holds six little-endian float32 per ray, origin and direction, and nothing else. The rays look for
+// the closest hit at any distance. Throws Error(inputRefused) if the file cannot be read, is empty or does
+// not contain whole rays, and, naming the ray, if a number is not finite or a direction is zero.
 RaySet readRayFile(const std::filesystem::path& path);
 
 } // namespace metamarch::bench

@@ -1,4 +1,4 @@
-// Rays to measure with: the same on every machine and in every run.
+// The rays of the benchmarks: the same on every machine and in every run.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/trace.h"
@@ -35,15 +35,15 @@ inline constexpr std::array<RaySetKind, 7> kRaySets{{
 
 std::vector<std::string> raySetNames();
 
-// The one of kRaySets that is called `name`; the views are of width x height pixels.
+// Makes the set of kRaySets called `name`; views have width x height pixels.
 RaySet makeRaySet(std::string_view name, const Scene& scene, const AccelerationStructure& structure,
                   std::uint32_t width, std::uint32_t height);
 
-// The rays through the centres of the camera's pixels, in the order in which the kernel `primary` traces
-// them: tiles of 8 x 8, so that rays side by side in memory are side by side in the picture.
+// Returns the rays through the centres of the camera's pixels, in the order in which the kernel `primary`
+// traces them: in tiles of 8 x 8, so that neighbours in memory are neighbours in the picture.
 std::vector<RayQuery> cameraRays(const Camera& camera);
 
-// `count` rays from points uniform in the lattice's box in uniform directions.
+// Returns `count` rays with uniform origins in the lattice's box and uniform directions.
 RaySet randomRays(const Lattice& lattice, std::size_t count);
 
 } // namespace metamarch::bench

@@ -17,7 +17,7 @@ std::string line(const std::vector<std::string>& cells) {
     return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-// A name of the user's, which may hold the bar between cells.
+// Escapes the cell separator, which a name given by the user may contain.
 std::string cell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
         text.insert(at, 1, '\\');
@@ -25,7 +25,7 @@ std::string cell(std::string text) {
     return text;
 }
 
-// What `key` gives for the rows, each once, in the order of appearance.
+// Returns the distinct values of `key` over the rows, in order of appearance.
 template <class Key>
 auto distinct(const Rows& rows, const Key& key) {
     std::vector<decltype(key(*rows.front()))> keys;
@@ -43,7 +43,7 @@ std::string rayName(const Row& row) {
 
 auto tracer(const Row& row) { return std::tuple(row.traversal, row.device); }
 
-// A line per traversal and device, a column per ray set.
+// Returns a table with a line per traversal and device and a column per ray set.
 std::string speeds(const Rows& rows) {
     const std::vector<std::string> raySets = distinct(rows, rayName);
     std::vector<std::string> heads{"Mrays/s (x floor)", "on"};

@@ -1,4 +1,4 @@
-// The rows as a page for a README.
+// Writes the rows as a page for a README.
 #pragma once
 #include "metamarch/bench/row.h"
 
@@ -7,8 +7,8 @@
 
 namespace metamarch::bench {
 
-// Markdown: where the rows come from and what their numbers mean; then for each scene the speeds, one column
-// per ray set, and below, folded away, all there is.
+// Returns Markdown: where the rows come from and what their numbers mean; then, for each scene, the speeds
+// with one column per ray set and, in a folded section, all columns.
 std::string resultsPage(const Origin& origin, std::span<const Row> rows);
 
 } // namespace metamarch::bench

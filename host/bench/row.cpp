@@ -50,7 +50,7 @@ std::string csvCell(const nlohmann::ordered_json& value) {
 } // namespace
 
 void compareWithFloor(Row& row, const Row& floor) {
-    if (row.mraysPerSecond > 0.0) { // else there are no rays
+    if (row.mraysPerSecond > 0.0) { // otherwise there are no rays
         row.floorMultiple = floor.mraysPerSecond / row.mraysPerSecond;
     }
 }

@@ -1,4 +1,4 @@
-// One measurement, and how it is written.
+// A measurement and its text formats.
 #pragma once
 #include <nlohmann/json.hpp>
 
@@ -10,14 +10,15 @@
 
 namespace metamarch::bench {
 
-// In place of a traversal: the same rays when their hits are known in advance, the least that tracing costs.
+// The name of the row, in place of a traversal's, for the same rays with hits known in advance: the minimum
+// cost of tracing.
 inline constexpr const char* kFloor = "floor";
 
 struct Row {
     std::string scene;
-    std::uint64_t triangles = 0; // of the scene
+    std::uint64_t triangles = 0; // number of triangles in the scene
     std::string rays;            // name of the ray set
-    std::string view;            // of the camera; empty where the set is of several
+    std::string view;            // name of the camera's view; empty if the set has several
     std::string traversal;       // or the name of a peer
     std::string backend;         // "gpu", or "cpu" for one thread of the processor
     std::string device;
@@ -28,45 +29,46 @@ struct Row {
     std::optional<double> visitsPerRay{};
     std::optional<double> testsPerRay{};
     std::optional<double> bytesPerRay{};   // StructureCost
-    std::optional<double> floorMultiple{}; // time as a multiple of that of the row kFloor
+    std::optional<double> floorMultiple{}; // time divided by the time of the row kFloor
     std::optional<double> buildSeconds{};
-    std::optional<std::uint64_t> bytes{}; // of the structure, on the host
-    std::uint64_t differingHits = 0;      // rays whose hits are not the judge's, within what is allowed
+    std::optional<std::uint64_t> bytes{}; // size of the structure on the host
+    // Number of rays whose hits differ from the reference's within the tolerance.
+    std::uint64_t differingHits = 0;
 };
 
-// Where and by what the rows were measured.
+// Where and with what the rows were measured.
 struct Origin {
     std::string device;
     std::string driver;
     std::string commit;
     std::string date;    // "2026-11-22"
-    std::string setting; // size of the views and how often was measured
+    std::string setting; // size of the views and number of measurements
 };
 
-// Sets row.floorMultiple. `floor` is the row kFloor of the same rays and backend.
+// Sets row.floorMultiple. `floor` is the row kFloor with the same rays and backend.
 void compareWithFloor(Row& row, const Row& floor);
 
-// What a reader of rows has to know, a line each: units and definitions.
+// Returns what a reader of rows must know, one line each: units and definitions.
 std::string definitions();
 
-// Keys as the members of Row; what is unknown is null.
+// The keys are the members of Row; unknown values are null.
 nlohmann::ordered_json toJson(const Row& row);
 
 // {"schema": 1, "device", "driver", "commit", "date", "setting", "rows": [...]}.
 nlohmann::ordered_json toJson(const Origin& origin, std::span<const Row> rows);
 
-// A line of keys, then a line per row; what is unknown is empty.
+// Returns a line of keys, then one line per row; unknown values are empty.
 std::string toCsv(std::span<const Row> rows);
 
-// A row in columns, for people.
+// The columns of a row in text form.
 struct Column {
     const char* heading;
-    int width; // in characters; negative: to the left
+    int width; // characters; negative: left-aligned
 };
 std::span<const Column> columns();
 std::vector<std::string> cells(const Row& row); // one text per column
 
-// Lines of aligned text, for a terminal; the line of headings fits above them.
+// Aligned lines of text for a terminal; textHeadings() aligns with the lines of toText().
 std::string textHeadings();
 std::string toText(const Row& row);
 

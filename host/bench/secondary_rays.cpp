@@ -8,16 +8,17 @@
 namespace metamarch::bench {
 namespace {
 
-constexpr float kAmbientReach = 0.1f; // of the box diagonal
+constexpr float kAmbientReach = 0.1f; // fraction of the box's diagonal
 constexpr std::uint64_t kAmbientSeed = 2;
 constexpr std::uint64_t kDiffuseSeed = 3;
 
-// From the centre of the box, in box diagonals: outside the box, whatever its shape, above and to the right.
+// Relative to the centre of the box, in box diagonals. It lies outside any box, above and to the right.
 constexpr glm::vec3 kLightPlace{0.5f, 0.8f, 0.4f};
 
 glm::vec3 boxSize(const Lattice& lattice) { return glm::vec3(lattice.resolution) / lattice.cellsPerUnit; }
 
-// In double precision and then moved onto the triangle's plane: the float t of a far camera is too coarse.
+// Computes in double precision and then projects onto the triangle's plane: for a distant camera the float t
+// is too coarse.
 SurfacePoint surfacePoint(const RayQuery& ray, const float t, const TriangleRecord& triangle) {
     const glm::dvec3 v0(triangle.v0);
     const glm::dvec3 across = glm::cross(glm::dvec3(triangle.v1) - v0, glm::dvec3(triangle.v2) - v0);
@@ -29,8 +30,8 @@ SurfacePoint surfacePoint(const RayQuery& ray, const float t, const TriangleReco
             glm::vec3(incoming)};
 }
 
-// Turns `v`, given around +z, to `normal`. T. Duff et al., "Building an Orthonormal Basis, Revisited", JCGT
-// 6(1), 2017.
+// Rotates `v` from the frame of +z to that of `normal`. T. Duff et al., "Building an Orthonormal Basis,
+// Revisited", JCGT 6(1), 2017.
 glm::vec3 turnTo(const glm::vec3 normal, const glm::vec3 v) {
     const float sign = std::copysign(1.0f, normal.z);
     const float a = -1.0f / (sign + normal.z);
@@ -86,7 +87,7 @@ RaySet shadowRays(const Lattice& lattice, const std::span<const SurfacePoint> po
     set.rays.reserve(points.size());
     for (const SurfacePoint& point : points) {
         const glm::vec3 start = startAbove(lattice, point);
-        set.rays.push_back({start, 0.0f, light - start, 1.0f}); // t = 1 is the light
+        set.rays.push_back({start, 0.0f, light - start, 1.0f}); // the light is at t = 1
     }
     return set;
 }

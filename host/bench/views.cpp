@@ -21,7 +21,7 @@ Place placeOf(const Scene& scene) {
 }
 
 SceneCamera cameraFrom(const Place& place, const AxisView& view, const float distance) {
-    // The direction is found at the world's origin: a small scene far away would round it.
+    // Find the direction at the world's origin: for a small scene far away it would be rounded.
     SceneCamera camera = lookAt(view.from, glm::vec3(0.0f), view.up);
     camera.name = view.name;
     camera.eye = place.center + view.from * distance;

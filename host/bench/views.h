@@ -1,4 +1,4 @@
-// The cameras of the benchmarks: four views along the axes.
+// The benchmarks' cameras: four views along the axes.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shading/view.h"
@@ -9,7 +9,7 @@
 
 namespace metamarch::bench {
 
-// Where an axis view is taken from, seen from the scene, and what is up in its picture.
+// The direction from the scene to the camera, and the direction that is up in the picture.
 struct AxisView {
     const char* name;
     glm::vec3 from;
@@ -21,11 +21,12 @@ inline constexpr std::array<AxisView, 4> kAxisViews{{{"front", {0, 0, 1}, {0, 1,
                                                      {"left", {-1, 0, 0}, {0, 1, 0}},
                                                      {"right", {1, 0, 0}, {0, 1, 0}}}};
 
-// Looks at the centre of the scene's box from `diagonals` of its diagonal away; the vertical field of view is
-// kDefaultVerticalFov. An empty scene is looked at as if it were one point.
+// Returns a camera that looks at the centre of the scene's box from `diagonals` times the box's diagonal; its
+// vertical field of view is kDefaultVerticalFov. An empty scene is treated like a single point.
 SceneCamera axisCamera(const Scene& scene, const AxisView& view, float diagonals);
 
-// The same from as near as shows every vertex in a picture of `aspect` (width / height): the model fills it.
+// The same view, from as close as possible while a picture with `aspect` = width / height shows every vertex:
+// the model fills it.
 SceneCamera fillingCamera(const Scene& scene, const AxisView& view, float aspect);
 
 } // namespace metamarch::bench
