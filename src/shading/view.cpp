@@ -12,7 +12,7 @@
 namespace metamarch {
 namespace {
 
-// Half the picture's height at distance 1, of a perspective camera.
+// Returns half the height of a perspective camera's picture at distance 1.
 float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
 
 void checkLens(const CameraOptions& options) {
@@ -21,7 +21,7 @@ void checkLens(const CameraOptions& options) {
         refuse(fmt::format("an aperture's radius of {}: give world units, 0 for a pinhole",
                            options.apertureRadius));
     }
-    // Its inverse is to be finite.
+    // The inverse must be finite.
     if (!(options.focusDistance >= std::numeric_limits<float>::min())) {
         refuse(fmt::format("a focus distance of {}: give world units above 0", options.focusDistance));
     }
@@ -47,7 +47,7 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
 }
 
 SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {
-    // In double precision: the difference of two far away points, and the products of tiny or huge vectors.
+    // In double precision, because the points may be far away and vectors tiny or huge.
     const glm::dvec3 along = glm::dvec3(target) - glm::dvec3(eye);
     const glm::dvec3 right = glm::cross(along, glm::dvec3(up));
     if (glm::length(along) == 0.0) {
@@ -72,12 +72,12 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
     const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
     const glm::vec3 center = 0.5f * lo + 0.5f * hi;
     const glm::vec3 size = hi - lo;
-    // The direction is found at the world's origin: a small box far away would round it.
+    // Find the direction at the world's origin: for a small box far away it would be rounded.
     SceneCamera camera = lookAt(from, glm::vec3(0.0f), upwards);
     camera.name = "framed";
     camera.verticalFov = verticalFov;
 
-    // Every corner of the box within the picture: the farthest distance that one of them asks for.
+    // The distance at which every corner of the box lies within the picture.
     const glm::vec3 right = glm::cross(camera.forward, camera.up);
     const float slopeUp = halfHeight(verticalFov);
     const float slopeRight = slopeUp * aspect;

@@ -1,4 +1,4 @@
-// From a scene's cameras, or none, to the camera that shaders and judges trace.
+// Turns a scene's camera, or a default, into the camera that shaders and the reference trace.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shared/camera.h"
@@ -10,33 +10,34 @@
 
 namespace metamarch {
 
-// Rounded from 45 degrees; what a picture without a camera of its own is taken with.
+// 45 degrees in radians, rounded; used for pictures without a camera of their own.
 inline constexpr float kDefaultVerticalFov = 0.785398163f;
 
-// The camera `selection` names: its index in the file or its name. Throws Error(invalidArgument) listing the
-// cameras.
+// Returns the camera that `selection` names by its index in the file or its name. Throws
+// Error(invalidArgument), listing the cameras.
 const SceneCamera& selectCamera(const Scene& scene, const std::string& selection);
 
-// Looks at `target` from `eye`. Throws Error(invalidArgument) where the two are one point or `up` is along
-// the view.
+// Returns a camera at `eye` that looks at `target`. Throws Error(invalidArgument) if the two coincide or `up`
+// is parallel to the view.
 SceneCamera lookAt(glm::vec3 eye, glm::vec3 target, glm::vec3 up);
 
-// From where an unframed scene is seen: towards +Z, the front in glTF, turned to the right and up.
+// The direction from a scene to its default camera: from +Z, the front in glTF, moved to the right and up.
 inline constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
 
-// Sees the whole of `bounds` in a picture of `aspect` (width / height), looking from the side of `from`, a
-// direction. An empty box is looked at as if it were the unit cube. Throws as lookAt.
+// Returns a camera that sees all of `bounds` in a picture with `aspect` = width / height, from the direction
+// `from`. An empty box is treated like the unit cube. Throws like lookAt.
 SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect,
                         glm::vec3 from = kFramingDirection, glm::vec3 up = {0.0f, 1.0f, 0.0f});
 
-// What a picture asks of its camera beyond the scene's. The default is a pinhole whose samples fill their
-// pixel evenly.
+// What a picture asks of its camera beyond the scene's camera. The default is a pinhole whose samples are
+// spread uniformly over the pixel.
 struct CameraOptions {
     std::uint32_t pixelFilter = kFilterBox;
-    float apertureRadius = 0.0f; // of a thin lens, in world units
-    // From the eye along the view to the plane in focus, in world units; infinite: what is far away.
+    float apertureRadius = 0.0f; // radius of the thin lens, world units
+    // From the eye along the view to the plane in focus, in world units; infinite: focus at infinity.
     float focusDistance = std::numeric_limits<float>::infinity();
-    bool isPanorama = false; // all directions around the eye, `forward` in the centre of the picture
+    // Shows all directions around the eye, with `forward` in the centre of the picture.
+    bool isPanorama = false;
 };
 
 // From where and through which lens a user wants to see a scene.
@@ -55,8 +56,8 @@ struct ViewChoice {
 // of `aspect` (width / height). Throws Error(invalidArgument) for a camera that does not exist and as lookAt.
 SceneCamera chooseCamera(const Scene& scene, const ViewChoice& choice, float aspect);
 
-// `width` and `height` in pixels. Throws Error(invalidArgument) for a radius or distance out of range, and
-// for a panorama with a lens.
+// `width` and `height` are in pixels. Throws Error(invalidArgument) if a radius or distance is out of range,
+// and for a panorama with a lens.
 Camera makeCamera(const SceneCamera& camera, std::uint32_t width, std::uint32_t height,
                   const CameraOptions& options = {});
 

@@ -13,7 +13,7 @@
 namespace metamarch {
 namespace {
 
-// Where red, green and blue lie; grey is all of them.
+// Returns the indices of the channels of red, green and blue; for a grey image all are the same.
 std::array<std::size_t, 3> colorChannels(const Image& image, const std::filesystem::path& file) {
     const auto red = image.findChannel("R");
     const auto green = image.findChannel("G");
@@ -32,7 +32,7 @@ bool isEncoded(const Image& image) {
                                                    "oiio:ColorSpace", "sRGB")) != image.attributes.end();
 }
 
-// The inverse of IEC 61966-2-1's curve.
+// The inverse of IEC 61966-2-1's transfer curve.
 float decoded(float value) {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
@@ -46,15 +46,15 @@ float decoded(float value) {
                             reason));
 }
 
-// Light there is, though Rec. 709's primaries cannot mix it. Of all visible light monochromatic cyan asks for
-// the least of one of them, and there it is about as much below 0 as another is above.
+// Whether a colour is visible light that Rec. 709's primaries cannot mix. The most negative channel belongs
+// to monochromatic cyan, where it is about as far below 0 as the largest channel is above.
 bool isOutsideGamut(const glm::vec3& texel) {
     return luminance(texel) > 0.0f && -smallest(texel) <= largest(texel);
 }
 
-// Whether a picture that was scaled may be as negative as that next to its light. Lanczos's filter of three
-// lobes, the deepest in use, leaves 0.61 of a point of light in the two texels beside it and -0.135 in the
-// next.
+// Whether scaling the image can have made a texel this negative beside brighter light. Lanczos's filter with
+// three lobes has the deepest undershoot in use: a point of light leaves 0.61 in the two texels beside it and
+// -0.135 in the next.
 bool isUndershoot(const Environment& environment, std::size_t index) {
     constexpr int kReach = 3;
     constexpr float kDepth = 0.25f;
@@ -62,7 +62,7 @@ bool isUndershoot(const Environment& environment, std::size_t index) {
     const int height = static_cast<int>(environment.height);
     const int column = static_cast<int>(index % environment.width);
     const int row = static_cast<int>(index / environment.width);
-    glm::vec3 brightest(0.0f); // in each channel
+    glm::vec3 brightest(0.0f); // per channel
     for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, height - 1); ++y) {
         for (int x = column - kReach; x <= column + kReach; ++x) {
             const int wrapped = (x % width + width) % width;
@@ -74,7 +74,7 @@ bool isUndershoot(const Environment& environment, std::size_t index) {
     return glm::all(glm::greaterThanEqual(environment.texels[index], -kDepth * brightest));
 }
 
-// Sets negative channels to 0 where they stand for light, refuses the rest.
+// Sets negative channels to 0 where they stand for light; refuses all others.
 void mendNegativeLight(Environment& environment, const std::filesystem::path& file) {
     std::vector<std::size_t> mended;
     std::size_t outsideGamut = 0;
@@ -90,7 +90,7 @@ void mendNegativeLight(Environment& environment, const std::filesystem::path& fi
                         "as bright");
         mended.push_back(i);
     }
-    // Afterwards: each was judged by the others as the file has them.
+    // Change the texels only now: each was judged by its neighbours' original values.
     for (const std::size_t i : mended)
         environment.texels[i] = glm::max(environment.texels[i], 0.0f);
     if (!mended.empty())

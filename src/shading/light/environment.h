@@ -1,4 +1,4 @@
-// Light from all around: an equirectangular picture.
+// Light from all directions, as an equirectangular image.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -9,8 +9,8 @@
 
 namespace metamarch {
 
-// Linear radiance, finite and not negative. Row 0 is the top one (+y); what an OpenImageIO format has encoded
-// has been decoded from sRGB.
+// Linear radiance, finite and not negative. Row 0 is the top row (+y). Colours of formats that OpenImageIO
+// treats as sRGB-encoded have been decoded.
 struct Environment {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -18,10 +18,10 @@ struct Environment {
     std::vector<std::string> warnings; // one line each, for the user
 };
 
-// Reads any picture that OpenImageIO knows; alpha and further channels are left out, grey is spread. Negative
-// channels become 0, with a warning, in colours outside Rec. 709 and where a filter that scaled the picture
-// undershot beside brighter light. Throws Error(inputRefused), one line that names file and, where one is at
-// fault, texel: other negative light, and numbers that are not finite.
+// Reads any image that OpenImageIO supports. Alpha and further channels are ignored; grey is copied to all
+// colours. Negative channels become 0, with a warning, if the colour lies outside Rec. 709 or if a filter
+// that scaled the image undershot beside brighter light. Throws Error(inputRefused), naming the file and, if
+// one is at fault, the texel, for other negative light and for numbers that are not finite.
 Environment loadEnvironment(const std::filesystem::path& file);
 
 } // namespace metamarch

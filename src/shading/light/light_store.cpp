@@ -10,8 +10,8 @@
 namespace metamarch {
 namespace {
 
-// Of each kind of light; the weight of light sampling is half by power, half alike for every kind there is,
-// so that no kind drowns the others.
+// The power of each light, by kind. Half of a light's sampling probability follows its power; the other half
+// is shared equally among the kinds that exist, so that no kind drowns out the others.
 struct Weights {
     std::vector<double> emitters;
     std::vector<double> lights;
@@ -50,7 +50,7 @@ LightRecord recordOf(const PunctualLight& light) {
     return record;
 }
 
-// Watts that reach a scene of that radius, about.
+// Returns roughly the watts that reach a scene with this radius.
 double powerOf(const LightRecord& light, const double radius) {
     const double strength = luminance(light.strength);
     switch (light.kind) {
@@ -102,7 +102,7 @@ void addEnvironment(const Environment& environment, ShadingScene& target, Weight
     target.features |= kFeatureEnvironment;
 }
 
-// The probability of each light, in the table's order.
+// Returns the probability of each light, in the table's order.
 std::vector<double> probabilities(const Weights& weights) {
     const double emitters = std::accumulate(weights.emitters.begin(), weights.emitters.end(), 0.0);
     const double lights = std::accumulate(weights.lights.begin(), weights.lights.end(), 0.0);
@@ -167,7 +167,8 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
         target.tables.insert(target.tables.end(), map.columns.begin(), map.columns.end());
     }
     for (std::size_t i = 0; i < target.emitters.size(); ++i) {
-        const double density = chances[i] / areaOf(target.emitters[i]); // the same for all of a material
+        // Equal for all emitters of a material.
+        const double density = chances[i] / areaOf(target.emitters[i]);
         target.materials[target.emitters[i].material].emissionDensity = static_cast<float>(density);
     }
 }

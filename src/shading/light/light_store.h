@@ -1,4 +1,4 @@
-// Everything that sends light, in the records and the table that light sampling draws from.
+// Builds the records of everything that sends light, and the table from which light sampling draws.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shading/shading_builder.h"
@@ -8,8 +8,9 @@
 
 namespace metamarch {
 
-// `meanEmission[material]`: radiance, textures averaged; black where light sampling is not to know the
-// material. Fills what of `target` is about light; its surfaces and materials are there.
+// `meanEmission` is indexed by material: the radiance, averaged over textures, or black if light sampling
+// should ignore the material. Fills the light-related members of `target`, whose surfaces and materials must
+// be there already.
 void addLights(std::span<const PunctualLight> lights, const Scene& scene, const Surroundings& surroundings,
                std::span<const glm::vec3> meanEmission, ShadingScene& target);
 

@@ -12,29 +12,29 @@ namespace {
 
 using glm::dvec3;
 
-// Lengths in kilometres, coefficients per kilometre.
+// Lengths are in kilometres, coefficients in 1 / kilometre.
 constexpr double kGroundRadius = 6360.0;
 constexpr double kTopRadius = 6460.0;
 constexpr double kAtmosphereHeight = kTopRadius - kGroundRadius;
 constexpr double kEyeHeight = 0.002;
-const dvec3 kRayleigh(5.802e-3, 13.558e-3, 33.1e-3); // scattering at the ground
+const dvec3 kRayleigh(5.802e-3, 13.558e-3, 33.1e-3); // scattering at ground level
 constexpr double kRayleighHeight = 8.0;
 constexpr double kMieScattering = 3.996e-3;
 constexpr double kMieExtinction = 8.396e-3;
 constexpr double kMieHeight = 1.2;
 constexpr double kMieAsymmetry = 0.8;
-const dvec3 kOzone(0.650e-3, 1.881e-3, 0.085e-3); // absorption where it is densest
+const dvec3 kOzone(0.650e-3, 1.881e-3, 0.085e-3); // absorption at its densest height
 constexpr double kOzoneCentre = 25.0;
 constexpr double kOzoneHalfWidth = 15.0;
 
 constexpr double kSunRadius = 0.2665 * M_PI / 180.0;
-constexpr double kSunIrradiance = M_PI; // outside the atmosphere, in each colour
-constexpr int kSteps = 48;              // through the air along a line of sight
-constexpr int kTableSteps = 256;        // along a ray of the sun
+constexpr double kSunIrradiance = M_PI; // outside the atmosphere, per colour
+constexpr int kSteps = 48;              // number of steps along a line of sight
+constexpr int kTableSteps = 256;        // number of steps along a ray to the sun
 
 struct Medium {
-    double rayleigh; // relative to the ground
-    double mie;      // the same, times haze
+    double rayleigh; // density relative to the ground's
+    double mie;      // density relative to the ground's, times haze
     dvec3 extinction;
 };
 
@@ -42,10 +42,11 @@ class Atmosphere {
   public:
     explicit Atmosphere(double haze);
 
-    // What the air lets pass from a height above the ground to space, at this cosine to the vertical; 0
-    // through the ground.
+    // Returns the transmittance from a height above the ground to space, for this cosine to the vertical; 0
+    // if the ground is in the way.
     dvec3 transmittance(double height, double cosine) const;
-    // Radiance scattered towards `position`, measured from the centre of the earth, from `direction`.
+    // Returns the radiance that arrives at `position` (relative to the earth's centre) by scattering along
+    // `direction`.
     dvec3 scattered(const dvec3& position, const dvec3& direction, const dvec3& sun) const;
 
   private:
@@ -56,16 +57,17 @@ class Atmosphere {
     dvec3 marchedTransmittance(double height, double cosine) const;
 
     double haze_;
-    std::vector<dvec3> transmittances_; // [height][angle], both denser where more changes
+    // Indexed by [height][angle]; both are denser where the value changes faster.
+    std::vector<dvec3> transmittances_;
 };
 
-// Of the horizon, seen from a height; negative.
+// Returns the cosine, relative to the vertical, of the horizon seen from a height; it is negative.
 double horizonCosine(double height) {
     const double ratio = kGroundRadius / (kGroundRadius + height);
     return -std::sqrt(1.0 - ratio * ratio);
 }
 
-// The first distance beyond 0 at which the ray leaves or enters the sphere around the origin.
+// Returns the first positive distance at which the ray crosses the sphere around the origin.
 std::optional<double> distanceToSphere(const dvec3& position, const dvec3& direction, double radius) {
     const double b = glm::dot(position, direction);
     const double discriminant = b * b - glm::dot(position, position) + radius * radius;
@@ -137,7 +139,7 @@ dvec3 Atmosphere::scattered(const dvec3& position, const dvec3& direction, const
     dvec3 passed(1.0);
     double start = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-        // Short steps first: the air is dense there.
+        // The first steps are short, because the air is dense there.
         const double part = (i + 1.0) / kSteps;
         const double end = reach * part * part;
         const double step = end - start;
@@ -148,7 +150,7 @@ dvec3 Atmosphere::scattered(const dvec3& position, const dvec3& direction, const
         const dvec3 source =
             (kRayleigh * (medium.rayleigh * rayleighPhase) + dvec3(kMieScattering * medium.mie * miePhase)) *
             transmittance(height, glm::dot(here, sun) / glm::length(here));
-        // The integral over the step of light that the step itself dims.
+        // The integral of the source over the step, with the extinction within the step.
         radiance += passed * source * (dvec3(1.0) - through) / medium.extinction;
         passed *= through;
         start = end;

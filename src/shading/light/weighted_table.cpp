@@ -9,11 +9,12 @@
 namespace metamarch {
 namespace {
 
-// What a texel's area sees of itself and of each neighbour along one axis: the integral of the tent.
+// The fractions that a texel and each neighbour along one axis contribute to the texel's area: the integral
+// of the tent filter.
 constexpr float kOwnPart = 0.75f;
 constexpr float kNeighbourPart = 0.125f;
 
-// Luminance in units of the brightest texel: sums of what a file may hold would overflow.
+// Luminance relative to the brightest texel; otherwise sums of extreme values could overflow.
 class Brightness {
   public:
     explicit Brightness(const Environment& environment) : environment_(environment) {
@@ -24,7 +25,7 @@ class Brightness {
         scale_ = largest > 0.0f ? 1.0 / largest : 0.0;
     }
 
-    // Filtered along its row, which closes at the seam.
+    // Returns the luminance filtered along its row, which wraps around.
     float inRow(std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t left = x == 0 ? environment_.width - 1 : x - 1;
         const std::uint32_t right = x + 1 == environment_.width ? 0 : x + 1;
@@ -37,7 +38,7 @@ class Brightness {
         return static_cast<float>(luminance(texel * kHeadroom) * scale_);
     }
 
-    static constexpr float kHeadroom = 0.5f; // the luminance of the largest floats
+    static constexpr float kHeadroom = 0.5f; // keeps the luminance of the largest floats finite
 
     const Environment& environment_;
     double scale_;
@@ -57,7 +58,7 @@ std::vector<TableEntry> makeWeightedTable(const std::span<const float> weights) 
         table[i].upTo = static_cast<float>(std::min(reached, 1.0));
         table[i].probability = static_cast<float>(probability);
     }
-    // What rounding left over at the end belongs to the last that has a part.
+    // Give what rounding has left over at the end to the last entry with a positive probability.
     for (std::size_t i = count; i > 0; --i) {
         table[i - 1].upTo = 1.0f;
         if (table[i - 1].probability > 0.0f) {
@@ -65,7 +66,7 @@ std::vector<TableEntry> makeWeightedTable(const std::span<const float> weights) 
         }
         table[i - 1].from = 1.0f;
     }
-    // A u of the slot may lie before the slot by the rounding of guideSlot.
+    // By the rounding of guideSlot, a u of the slot may lie just before the slot.
     constexpr double kRounding = 0x1p-22;
     std::uint32_t guide = 0;
     for (std::size_t slot = 0; slot < count; ++slot) {

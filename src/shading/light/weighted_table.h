@@ -1,4 +1,4 @@
-// Tables from which light.h and environment_map.h draw by weight.
+// Builds the weighted tables from which light.h and environment_map.h sample.
 #pragma once
 #include "metamarch/shading/light/environment.h"
 #include "metamarch/shared/light.h"
@@ -8,16 +8,17 @@
 
 namespace metamarch {
 
-// One entry per weight; weights are finite and at least 0. All are drawn alike where every weight is 0. Empty
-// for no weights.
+// Returns one entry per weight; weights are finite and at least 0. If all weights are 0, all entries are
+// equally likely. Empty if there are no weights.
 std::vector<TableEntry> makeWeightedTable(std::span<const float> weights);
 
 struct EnvironmentTables {
-    std::vector<TableEntry> rows;    // [height]
-    std::vector<TableEntry> columns; // [height][width]
+    std::vector<TableEntry> rows;    // indexed by row: [height]
+    std::vector<TableEntry> columns; // indexed by row and column: [height][width]
 };
 
-// Draws a texel by the luminance that the bilinearly filtered map has over its area, times its solid angle.
+// Samples a texel in proportion to the luminance of the bilinearly filtered map over its area, times its
+// solid angle.
 EnvironmentTables makeEnvironmentTables(const Environment& environment);
 
 } // namespace metamarch

@@ -11,15 +11,15 @@
 namespace metamarch {
 namespace {
 
-// The part of its row or column that one texel of the next level covers: from 2 to 4 texels.
+// The 2 to 4 texels of a row or column that one texel of the next level covers.
 struct Cover {
     std::uint32_t first;
     std::uint32_t count;
     std::array<float, 4> weights; // sum to 1
 };
 
-// A row of `from` texels is as long as one of `to`. Counted in from-ths of a texel of `to` and to-ths of one
-// of `from`, which are the same length, all ends are integers.
+// A row of `from` texels is as long as a row of `to` texels. If lengths are counted in 1 / from of a texel of
+// `to`, which equals 1 / to of a texel of `from`, all ends are integers.
 Cover coverOf(const std::uint64_t i, const std::uint64_t from, const std::uint64_t to) {
     const std::uint64_t begin = i * from;
     const std::uint64_t end = begin + from;
@@ -67,8 +67,8 @@ MipLevel halve(const std::uint32_t width, const std::uint32_t height, const Colo
     return level;
 }
 
-// Gives texels of which nothing is there the colour of the texel of the next level that covers them, for
-// filters mix in what lies beside a texel.
+// Gives fully transparent texels the colour of the texel of the next level that covers them, because filters
+// mix in neighbouring texels.
 void colorHoles(MipLevel& level, const MipLevel& next) {
     for (std::size_t i = 0; i < level.texels.size(); ++i) {
         if (level.texels[i].a == 0.0f) {

@@ -1,4 +1,4 @@
-// The smaller levels of a texture: each is half as large as the one before, down to one texel.
+// The mip levels of a texture: each is half as large as the one before, down to one texel.
 #pragma once
 #include "metamarch/scene/texture.h"
 
@@ -9,22 +9,23 @@
 
 namespace metamarch {
 
-// What the colours of several texels weigh in their mean. Of a surface with holes only what is there has a
-// colour that anyone sees; holes get that of what is around them.
+// The weights of texels' colours in their mean. On a surface with holes, only opaque texels have a visible
+// colour (byAlpha); holes get the colour of their surroundings.
 enum class ColorWeight { equal, byAlpha };
 
 struct MipLevel {
     std::uint32_t width;
     std::uint32_t height;
-    std::vector<glm::vec4> texels; // in linear light, alpha not multiplied in
+    std::vector<glm::vec4> texels; // linear light, not premultiplied by alpha
 };
 
-// How many levels an image of that size has, itself included.
+// Returns the number of levels of an image of that size, the image itself included.
 std::uint32_t mipLevelCount(std::uint32_t width, std::uint32_t height);
 
-// Levels 1 and on; none for a single texel. A texel is the mean of the area that it covers of the level
-// before, of odd sizes in parts, so that every level has the mean of the image. Vectors that are encoded as
-// 0.5 + v / 2, such as normals, so become means of vectors, shorter where they disagree.
+// Returns levels 1 and up; none for a single texel. A texel is the mean of the area of the previous level
+// that it covers. At odd sizes it covers some texels in part, so that every level has the same mean as the
+// image. Vectors that are encoded as 0.5 + v / 2, such as normals, are averaged as vectors; the mean is
+// shorter where they disagree.
 std::vector<MipLevel> makeMipLevels(const TextureImage& image, bool isSrgb, ColorWeight weight);
 
 } // namespace metamarch

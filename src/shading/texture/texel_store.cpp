@@ -39,7 +39,7 @@ TextureLevel makeLevel(const std::uint32_t width, const std::uint32_t height, co
             (isSrgb ? kTexelsSrgb : 0u) | (isDeep ? kTexelsDeep : 0u) | place.chunk << kTexelsChunkShift};
 }
 
-// A texture that is turned to a line has no area; its level is the finest then.
+// A transform may collapse the texture to a line, which has no area; its level is then the finest.
 float unitLevelOf(const TextureImage& image, const glm::mat3x2& transform) {
     constexpr double kLeastTexels = 1e-30;
     const double area = std::abs(static_cast<double>(transform[0][0]) * transform[1][1] -
@@ -135,7 +135,7 @@ std::vector<TextureLevel> TexelStore::placeLevels(const Pyramid& pyramid) {
     std::vector<TextureLevel> levels;
     for (const MipLevel& level : makeMipLevels(image, isSrgb, weight)) {
         const TexelPlace inPyramid{0, static_cast<std::uint32_t>(words.size())};
-        // Halves have room for linear light.
+        // Half floats have enough precision for linear light.
         levels.push_back(
             makeLevel(level.width, level.height, inPyramid, isSrgb && !isDeep(image), isDeep(image)));
         const std::vector<std::uint32_t> texels = isDeep(image) ? halvesOf(level) : bytesOf(level, isSrgb);

@@ -1,4 +1,4 @@
-// The texels of a scene's images in the words that shaders read, cut into chunks.
+// Stores the texels of a scene's images in the words that shaders read, split into chunks.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shading/texture/mip_levels.h"
@@ -20,22 +20,22 @@ struct TexelPlace {
 
 class TexelStore {
   public:
-    // `chunkBytes`: the most that a chunk holds.
+    // `chunkBytes` is the largest size of a chunk.
     TexelStore(const Scene& scene, std::uint64_t chunkBytes, ShadingScene& target);
 
-    // The record of this use, kNoTextureRecord for none; it has the full size only, until addLevels. Throws
-    // Error(outOfMemory) where the texels do not fit.
+    // Returns the record of this texture reference, or kNoTextureRecord if there is no texture. The record
+    // has only level 0 until addLevels is called. Throws Error(outOfMemory) if the texels do not fit.
     std::uint32_t add(const TextureRef& ref, ColorWeight weight = ColorWeight::equal);
 
-    // Gives the records that were added their smaller levels, where their filters ask for them and as long as
-    // they fit: no scene is refused for them, and without them samples alone do the averaging.
+    // Adds the mip levels of the records, where their filters use them and while they fit. No scene is
+    // refused because of them: without mip levels, the averaging is left to samples.
     void addLevels();
 
-    // Means of the channels of a texture in linear light, 1 for none.
+    // Returns the mean of each channel of a texture in linear light; 1 if there is no texture.
     glm::vec4 meanOf(const TextureRef& ref) const;
 
   private:
-    using Pyramid = std::tuple<std::uint32_t, bool, ColorWeight>; // image, isSrgb
+    using Pyramid = std::tuple<std::uint32_t, bool, ColorWeight>; // image, isSrgb, weight
 
     std::optional<TexelPlace> place(const std::vector<std::uint32_t>& words);
     TexelPlace placeOf(std::uint32_t image);
@@ -44,9 +44,9 @@ class TexelStore {
     const Scene& scene;
     std::uint64_t chunkWords;
     ShadingScene& target;
-    std::map<std::uint32_t, TexelPlace> places; // [image]
+    std::map<std::uint32_t, TexelPlace> places; // indexed by image
     std::map<Pyramid, std::vector<TextureLevel>> pyramids;
-    std::vector<std::pair<std::uint32_t, Pyramid>> wanted; // of records
+    std::vector<std::pair<std::uint32_t, Pyramid>> wanted; // record and its pyramid
 };
 
 } // namespace metamarch

@@ -10,7 +10,7 @@
 namespace metamarch {
 namespace {
 
-// Linear light of the 256 bytes, ascending.
+// The linear values of the 256 bytes, ascending.
 const std::array<float, 256>& decodedBytes() {
     static const std::array<float, 256> kDecoded = [] {
         std::array<float, 256> decoded{};

@@ -1,4 +1,4 @@
-// Texels in the words that shaders read.
+// Encodes texels in the words that shaders read.
 #pragma once
 #include "metamarch/scene/texture.h"
 #include "metamarch/shading/texture/mip_levels.h"
@@ -11,19 +11,19 @@
 
 namespace metamarch {
 
-// Two words a texel, of halves; else one, of bytes.
+// Whether a texel takes two words of half floats; otherwise it takes one word of bytes.
 inline bool isDeep(const TextureImage& image) { return image.bytes.empty(); }
 
-// Texel `i` of the image as texelAt() of shared/texture.h decodes it.
+// Returns texel `i` of the image as texelAt() of shared/texture.h decodes it.
 glm::vec4 linearTexel(const TextureImage& image, std::size_t i, bool isSrgb);
 
-// As the file has them.
+// Encodes the texels as the file stores them.
 std::vector<std::uint32_t> wordsOf(const TextureImage& image);
 
-// Bytes, of colours the nearest to linear light that sRGB has.
+// Encodes a level as bytes; colours are rounded to the nearest sRGB value if `isSrgb`.
 std::vector<std::uint32_t> bytesOf(const MipLevel& level, bool isSrgb);
 
-// Halves, in linear light.
+// Encodes a level as half floats in linear light.
 std::vector<std::uint32_t> halvesOf(const MipLevel& level);
 
 } // namespace metamarch
