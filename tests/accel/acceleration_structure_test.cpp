@@ -1,4 +1,4 @@
-// Scenes with nothing, or little, to hit.
+// Scenes with few triangles or none.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -10,7 +10,7 @@
 namespace metamarch::tests {
 namespace {
 
-// One empty leaf in a lattice of one cell.
+// Expects one empty leaf in a lattice of one cell.
 void expectNothing(const AccelerationStructure& structure) {
     EXPECT_EQ(structure.lattice.resolution, glm::uvec3(1));
     EXPECT_EQ(structure.lattice.triangleCount, 0u);
@@ -44,7 +44,8 @@ TEST(AccelerationStructure, ofDegenerateTrianglesOnly) {
     Scene segments;
     addTriangle(segments, {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
     addTriangle(segments, {5, 0, 0}, {5, 0, 0}, {6, 0, 0});
-    addTriangle(segments, {0, 0, 0}, {1e-30f, 0, 0}, {0, 1e-30f, 0}); // an area below single precision
+    // Its area underflows in single precision.
+    addTriangle(segments, {0, 0, 0}, {1e-30f, 0, 0}, {0, 1e-30f, 0});
     for (const AccelerationOptions& options : kOptions) {
         const AccelerationStructure structure = buildAccelerationStructure(segments, options);
         expectNothing(structure);

@@ -1,4 +1,4 @@
-// A ray leaves a tested leaf by its exit box: whatever it could have met in there must have been tested.
+// A ray leaves a tested leaf through its exit box, so every triangle in that box must have been tested.
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -47,7 +47,7 @@ class ExitBoxes : public testing::TestWithParam<BoxCase> {
         return structure.tree.trianglesOf(leaf);
     }
 
-    // Whether no cell of the box belongs to a leaf with a triangle that `leaf` lacks.
+    // Whether every leaf with a cell in the box lists only triangles that `leaf` lists too.
     bool holdsAllIn(const Leaf& leaf, const CellBox& box) const {
         for (ivec3 cell = box.lo; cell.z < box.hi.z; ++cell.z) {
             for (cell.y = box.lo.y; cell.y < box.hi.y; ++cell.y) {
@@ -77,7 +77,7 @@ TEST_P(ExitBoxes, holdTheirLeaves) {
     }
 }
 
-// By the judge of overlaps, which knows neither clipping nor leaves.
+// Checked by the overlap test, which knows neither clipping nor leaves.
 TEST_P(ExitBoxes, meetNoTriangleThatTheirLeavesLack) {
     const glm::dvec3 margin = referenceMargin(structure.lattice) * (1.0 - kMarginRounding);
     for (const std::uint32_t id : solidTriangles(scene)) {
@@ -95,7 +95,8 @@ TEST_P(ExitBoxes, meetNoTriangleThatTheirLeavesLack) {
     }
 }
 
-// Every face is held: one layer further lies a triangle that the leaf lacks, or the lattice ends.
+// No face can move farther: one more layer would contain a triangle that the leaf lacks, or leave the
+// lattice.
 TEST_P(ExitBoxes, reachAsFarAsTheyMay) {
     const ivec3 resolution(structure.lattice.resolution);
     for (const Leaf& leaf : grown) {
@@ -121,7 +122,7 @@ Leaf leafOver(const uvec3 lo, const uvec3 hi, const std::uint32_t first, const s
     return {packCell(lo), packCell(hi), first, count};
 }
 
-// Five leaves in a row: {7}, none, {7, 9}, {9}, none.
+// Five leaves in a row, which list {7}, {}, {7, 9}, {9}, {}.
 TEST(ExitBoxRow, endsAtTheFirstTriangleThatIsNotItsOwn) {
     const uvec3 resolution(10, 1, 1);
     const LeafList list{{leafOver({0, 0, 0}, {2, 1, 1}, 0, 1), leafOver({2, 0, 0}, {4, 1, 1}, 1, 0),

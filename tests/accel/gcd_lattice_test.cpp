@@ -1,4 +1,4 @@
-// Method 2: the tree's own planes, rounded to quanta, and the lattice that they all lie on.
+// Method 2: the tree's own planes, rounded to quanta, and the lattice that contains them all.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -35,7 +35,7 @@ AccelerationOptions withQuantum(const double quantum) {
     return options;
 }
 
-// A box of 16 x 16 x 16 quanta.
+// Returns a box of 16 x 16 x 16 quanta.
 Lattice sixteenQuanta() {
     Scene scene;
     addTriangle(scene, {0, 0, 0}, {16, 16, 0}, {0, 16, 16});
@@ -45,7 +45,7 @@ Lattice sixteenQuanta() {
 constexpr PlannedNode kLeaf{kNoSplit, 0.0, 0};
 
 TEST(GcdLattice, dividesByWhatAllPlanesOfAnAxisShare) {
-    // x at 4 and 12, y at 6, none across z.
+    // Planes at x = 4 and 12 and at y = 6; none across z.
     const SplitPlan plan{{{0, 4.1, 2}, kLeaf, {1, 5.8, 4}, kLeaf, {0, 11.7, 6}, kLeaf, kLeaf}, 3};
     const GcdLattice gcd = makeGcdLattice(sixteenQuanta(), plan);
     EXPECT_EQ(gcd.rounding.quantaPerCell, glm::uvec3(4, 6, 16));
@@ -59,12 +59,12 @@ TEST(GcdLattice, dividesByWhatAllPlanesOfAnAxisShare) {
         EXPECT_EQ(gcd.plan.nodes[i].plane, expected[i]);
         EXPECT_EQ(gcd.plan.nodes[i].above, plan.nodes[i].above);
     }
-    // The cells hold what the quanta hold: y reaches to 18.
+    // The cells contain the quanta: y reaches 18.
     EXPECT_GE(static_cast<double>(gcd.lattice.extent), 18.0);
     EXPECT_EQ(gcd.lattice.origin, sixteenQuanta().origin);
 }
 
-// Planes that land on a face of their node split nothing, and count for no divisor.
+// A plane that is rounded to a face of its node splits nothing and must not affect the divisor.
 TEST(GcdLattice, leavesPlanesOutThatVanish) {
     const SplitPlan atTheBox{{{0, 0.3, 2}, kLeaf, {0, 15.8, 4}, kLeaf, kLeaf}, 2};
     const GcdLattice one = makeGcdLattice(sixteenQuanta(), atTheBox);
@@ -78,7 +78,7 @@ TEST(GcdLattice, leavesPlanesOutThatVanish) {
     EXPECT_EQ(two.plan.depth, 2u);
 }
 
-// Heaps of triangles that fill blocks of a raster of 4 x 6 x 8: the first planes are the blocks' faces.
+// Clusters of triangles fill some blocks of a 4 x 6 x 8 grid, so the first planes are the blocks' faces.
 TEST(GcdLattice, findsTheRasterOfAScene) {
     Scene scene;
     for (const glm::vec3 block : {glm::vec3(0, 0, 0), glm::vec3(8, 12, 16), glm::vec3(20, 24, 0)}) {
@@ -166,7 +166,7 @@ TEST(SplitPlan, doesNotDependOnThreads) {
     }));
 }
 
-// Two triangles far apart: one plane on either side of the gap, or one for each, and the rest is empty.
+// Two triangles far apart: a plane on either side of the gap, or on both, with empty space between.
 TEST(SplitPlan, cutsAtTheEndsOfTriangles) {
     Scene scene;
     addTriangle(scene, {0, 0, 0}, {1, 4, 0}, {0, 0, 4});

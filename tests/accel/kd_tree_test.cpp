@@ -1,5 +1,4 @@
-// What everything behind the tree relies on: its leaves tile the lattice, and no triangle is missing from
-// one.
+// What all users of the tree rely on: its leaves tile the lattice, and each lists all of its triangles.
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -89,7 +88,7 @@ class Tree : public testing::TestWithParam<TreeCase> {
     const KdTree& tree = structure.tree;
 };
 
-// Follows the nodes in the order of the array, each with the box that the planes above it leave.
+// Visits the nodes in array order, each with the box that the planes above it leave.
 class TreeWalk {
   public:
     explicit TreeWalk(const KdTree& walkedTree) : tree(walkedTree) {}
@@ -181,7 +180,7 @@ void expectAscendingTriangles(const KdTree& tree) {
 
 TEST_P(Tree, listsAscendingTrianglesOneLeafAfterTheOther) { expectAscendingTriangles(tree); }
 
-// Neither a hole nor a needless test: a leaf lists a triangle when, and only when, it comes within the
+// No missing and no needless test: a leaf lists a triangle if and only if the triangle comes within the
 // margin.
 TEST_P(Tree, listsTheTrianglesThatMeetTheGrownLeaf) {
     const glm::dvec3 margin = referenceMargin(structure.lattice);
@@ -247,7 +246,7 @@ AccelerationStructure buildOnThreads(const Scene& scene, const int threads) {
 }
 
 TEST(TreeThreads, doNotChangeTheTree) {
-    // Large enough that the builder hands out parts of it.
+    // Large enough for the builder to use several threads.
     const Scene scene = triangleSoup(60000, 4);
     const AccelerationStructure one = buildOnThreads(scene, 1);
     expectAscendingTriangles(one.tree);

@@ -1,4 +1,4 @@
-// How many cells the lattice has, where it lies, and which scenes and options it refuses.
+// The lattice's number of cells, its position, and the scenes and options that it refuses.
 #include "fixtures/expect_error.h"
 #include "metamarch/accel/lattice.h"
 
@@ -76,7 +76,7 @@ TEST(LatticeResolution, comesNearTheCellsAskedFor) {
             EXPECT_EQ(lattice.cellCount, counts.x * counts.y * counts.z);
             EXPECT_LE(lattice.cellCount, target);
             const bool axisIsFull = std::max({counts.x, counts.y, counts.z}) == kMaxLatticeResolution;
-            // One cell more on every axis that has several would be too many.
+            // One more cell on every axis that can be divided would be too many.
             std::uint64_t next = 1;
             for (int axis = 0; axis < 3; ++axis) {
                 next *= counts[axis] + (size[axis] > 0.0f ? 1u : 0u);
@@ -99,7 +99,7 @@ TEST(LatticeResolution, growsWithTheTriangles) {
     EXPECT_LE(most.cellCount, kMostAutomaticCells);
 }
 
-// Where triangles are small in a large box, each axis by itself has as fine cells as they ask for.
+// If triangles are small in a large box, each axis on its own gets cells as fine as the triangles need.
 TEST(LatticeResolution, isFineWhereTrianglesAreSmall) {
     const auto resolutionFor = [](const glm::vec3 size, const double typicalEdge) {
         return makeLattice(boxFromOrigin(size), kTriangles, {}, typicalEdge).lattice.resolution;
@@ -110,12 +110,12 @@ TEST(LatticeResolution, isFineWhereTrianglesAreSmall) {
     EXPECT_EQ(resolutionFor({1.0f, 0x1p-12f, 1.0f}, 1e-9), glm::uvec3(1023, 16, 1023)); // four margins
 }
 
-// Geometry keeps its distance from the faces, so that no rounding of a ray carries a hit out of the lattice.
+// Geometry keeps a distance from the faces of the lattice, so that rounding cannot carry a hit out of it.
 void expectPadding(const Bounds& bounds, const AccelerationOptions& options) {
     const Lattice lattice = makeLattice(bounds, kTriangles, options).lattice;
     SCOPED_TRACE(testing::Message() << "origin " << lattice.origin.x << " " << lattice.origin.y << " "
                                     << lattice.origin.z << ", extent " << lattice.extent);
-    // The scale is rounded to single precision, which may take some half-ulps of the lattice.
+    // The scale is rounded to single precision, which can cost a few half-ulps of the lattice.
     constexpr double kRounding = 2.0 * 0x1p-24;
     const glm::dvec3 padding =
         (kBoxPadding - kRounding) * static_cast<double>(lattice.extent) * glm::dvec3(lattice.cellsPerUnit);

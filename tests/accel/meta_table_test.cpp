@@ -1,4 +1,4 @@
-// Every cell names the leaf that holds it, whatever memory the table saves.
+// Every cell names the leaf that holds it, no matter how the table saves memory.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -14,7 +14,7 @@ namespace {
 
 Leaf leafOver(const glm::uvec3 lo, const glm::uvec3 hi) { return {packCell(lo), packCell(hi), 0, 0}; }
 
-// A table with a word for each cell.
+// Returns a table with one word per cell.
 std::vector<std::uint32_t> flatTable(const glm::uvec3 resolution, const std::span<const Leaf> leaves) {
     std::vector<std::uint32_t> leafOfCell(std::size_t{resolution.x} * resolution.y * resolution.z);
     for (std::uint32_t leafId = 0; leafId < leaves.size(); ++leafId) {
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> flatTable(const glm::uvec3 resolution, const std::spa
     return leafOfCell;
 }
 
-// `leaves` tile the lattice of the table.
+// `leaves` must tile the lattice of the table.
 void expectEqualToAFlatOne(const MetaTable& table, const std::span<const Leaf> leaves) {
     const std::vector<std::uint32_t> flat = flatTable(table.resolution, leaves);
     const glm::ivec3 resolution(table.resolution);
@@ -46,7 +46,7 @@ void expectEqualToAFlatOne(const MetaTable& table, const std::span<const Leaf> l
     EXPECT_EQ(different, 0u);
 }
 
-// The paper's figure 11: a partition that no kd-tree can express.
+// The paper's figure 11: a partition that no kd-tree can produce.
 TEST(MetaTable, takesAPinwheel) {
     const std::vector<Leaf> leaves = {
         leafOver({0, 0, 0}, {2, 1, 2}), leafOver({2, 0, 0}, {3, 2, 2}), leafOver({1, 2, 0}, {3, 3, 2}),
@@ -63,7 +63,7 @@ TEST(MetaTable, reachesTheLastCellOfTheFinestLattice) {
     expectEqualToAFlatOne(buildMetaTable({1023, 2, 3}, leaves), leaves);
 }
 
-// Bricks at every place and of every size around a leaf's ends.
+// The ends of leaves fall on every place in a brick, and the last brick has every size.
 TEST(MetaTable, endsLeavesAnywhereInABrick) {
     for (std::uint32_t side = 1; side <= 2 * kBrickSide + 1; ++side) {
         for (std::uint32_t plane = 1; plane < side; ++plane) {
@@ -81,12 +81,12 @@ TEST(MetaTable, hasOneWordForEachBrickInOneLeaf) {
     EXPECT_EQ(table.words, std::vector<std::uint32_t>(128u * 128u * 128u, 0));
 }
 
-// A floor: all bricks that it cuts hold the same.
+// A floor: all bricks that it cuts have equal contents.
 TEST(MetaTable, keepsEqualBricksOnce) {
     const std::vector<Leaf> leaves = {leafOver({0, 0, 0}, {1023, 1, 1023}),
                                       leafOver({0, 1, 0}, {1023, 200, 1023})};
     const MetaTable table = buildMetaTable({1023, 200, 1023}, leaves);
-    EXPECT_EQ(table.words.size(), 128u * 25u * 128u + 4u * kBrickCells); // and its edges, where it ends
+    EXPECT_EQ(table.words.size(), 128u * 25u * 128u + 4u * kBrickCells); // plus the bricks at its borders
     EXPECT_EQ(table.leafAt({1022, 0, 1022}), 0u);
     EXPECT_EQ(table.leafAt({1022, 1, 1022}), 1u);
 }
@@ -160,7 +160,7 @@ TEST_P(MetaTableOf, equalsAFlatOne) {
     }
 }
 
-// The table's own leaves, merged or not, with their exit boxes.
+// The table's leaves, merged or not, with their exit boxes.
 TEST_P(MetaTableOf, namesLeavesWhoseExitBoxesHoldTheCell) {
     const glm::ivec3 resolution(structure.lattice.resolution);
     glm::ivec3 cell;
@@ -200,7 +200,7 @@ TEST(MetaTableBudget, isKept) {
                 [&] { buildMetaTable(glm::uvec3(8), leaves, bytes - 1); });
 }
 
-// Motes all over a box: leaves end in every brick.
+// Tiny triangles all over a box: leaves end in every brick.
 Scene motes(const std::uint32_t count) {
     Scene scene;
     for (const Scene soup = triangleSoup(count, 9); const glm::uvec3 corners : soup.triangles) {

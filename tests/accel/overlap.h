@@ -1,4 +1,4 @@
-// Whether a triangle meets a box, by another method than the builder's: the judge of clipping and of leaves.
+// A triangle-box overlap test that does not share the builder's method; it checks clipping and leaves.
 #pragma once
 #include "metamarch/accel/triangle_clip.h"
 
@@ -11,16 +11,17 @@ struct Box {
     glm::dvec3 hi;
 };
 
-// Whether the triangle, which may be degenerate, and the closed box have a point in common. T.
-// Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", Journal of Graphics Tools 6(1), 2001: separating
-// axes, here in long double.
+// Whether the triangle, which may be degenerate, and the closed box share a point. T. Akenine-Möller, "Fast
+// 3D Triangle-Box Overlap Testing", Journal of Graphics Tools 6(1), 2001: separating axes, here in long
+// double.
 bool overlaps(const LatticeTriangle& triangle, const Box& box);
 
-// The cells lo..hi (inclusive), grown by `margin` on every side.
+// Returns the box of cells lo..hi (inclusive), grown by `margin` on every side.
 Box grown(const CellRange& cells, const glm::dvec3& margin);
 
-// Room for the roundings of builder and judge, as a fraction of the margin: what meets a box grown by a
-// margin smaller by this must be found, what does not meet one larger by it must not.
+// Tolerance for the rounding errors of builder and test, as a fraction of the margin: a triangle that meets a
+// box grown by a margin smaller by this must be found; one that does not meet a box grown by a margin larger
+// by this must not.
 inline constexpr double kMarginRounding = 0x1p-16;
 
 } // namespace metamarch::tests

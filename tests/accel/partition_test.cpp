@@ -1,4 +1,4 @@
-// Boxes that no kd-tree made: they must tile the lattice and list their triangles, and are then marched.
+// Boxes that no kd-tree made must tile the lattice and list their triangles; then rays march through them.
 #include "accel/overlap.h"
 #include "accel/pinwheel.h"
 #include "fixtures/expect_error.h"
@@ -82,7 +82,7 @@ TEST(Tiling, namesABoxThatIsNone) {
     expectRefused(partition, "box 1, from 2 -1 0 to 3 2 1, leaves the lattice of 3 3 1 cells");
 }
 
-// A scene in a lattice of its own, with the corners that the builder sees.
+// A scene in its own lattice, with the triangle corners that the builder gets.
 struct Placed {
     Placed(Scene usedScene, const Partition& partition) : scene(std::move(usedScene)) {
         AccelerationOptions options;
@@ -152,17 +152,17 @@ AccelerationStructure build(const Scene& scene, const Partition& partition, cons
     return buildAccelerationStructure(scene, options);
 }
 
-// Rays through the middle of the cube's lower left cells, and what is known of them by hand.
+// Rays through the middle of the cube's lower left cells, with results worked out by hand.
 TEST(Marching, aPinwheelHasTheKnownHitsAndSteps) {
     struct Known {
         glm::vec3 origin;
         glm::vec3 dir;
         float t;
-        std::uint32_t steps; // boxes on the way to the cube's far side, where the ray looks out
+        std::uint32_t steps; // number of boxes on the way to the far side of the cube
     };
     Scene scene = unitCube();
     const std::size_t faces = scene.triangles.size();
-    // Keeps of the cube nothing but its far walls, those at 1: rays from 0 upwards cross all of the boxes.
+    // Keep only the far walls of the cube, those at 1, so that rays from 0 upwards cross all boxes.
     std::erase_if(scene.triangles, [&](const uvec3& indices) {
         glm::vec3 lowest(1.0f);
         for (int i = 0; i < 3; ++i) {
@@ -172,18 +172,18 @@ TEST(Marching, aPinwheelHasTheKnownHitsAndSteps) {
     });
     ASSERT_EQ(scene.triangles.size(), faces / 2);
     const Known flat[] = {
-        {{-1, 0.2f, 0.5f}, {1, 0, 0}, 2, 2},          // along the lower arm into the right one
+        {{-1, 0.2f, 0.5f}, {1, 0, 0}, 2, 2},          // lower arm, right arm
         {{-1, 0.5f, 0.5f}, {1, 0, 0}, 2, 3},          // left arm, middle, right arm
-        {{-1, 0.8f, 0.5f}, {1, 0, 0}, 2, 2},          // left arm into the upper one
-        {{0.2f, 0.9f, -3}, {0, 0, 2}, 2, 1},          // through the left arm
-        {{-1, -0.9f, 0.5f}, {0.5f, 0.5f, 0}, 3.8f, 4} // aslant: lower arm, left arm, middle, upper arm
+        {{-1, 0.8f, 0.5f}, {1, 0, 0}, 2, 2},          // left arm, upper arm
+        {{0.2f, 0.9f, -3}, {0, 0, 2}, 2, 1},          // left arm
+        {{-1, -0.9f, 0.5f}, {0.5f, 0.5f, 0}, 3.8f, 4} // diagonal: lower arm, left arm, middle, upper arm
     };
     const Known solid[] = {
-        {{-1, 0.2f, 0.8f}, {1, 0, 0}, 2, 1}, // within the beam along x
-        {{0.8f, -1, 0.2f}, {0, 1, 0}, 2, 1}, // along y
-        {{0.2f, 0.8f, -1}, {0, 0, 1}, 2, 1}, // along z
-        {{-1, 0.2f, 0.2f}, {1, 0, 0}, 2, 2}, // the corner at 0, then the beam along y
-        {{-1, 0.8f, 0.8f}, {1, 0, 0}, 2, 2}, // the beam along z, then the corner at 1
+        {{-1, 0.2f, 0.8f}, {1, 0, 0}, 2, 1}, // in the beam along x
+        {{0.8f, -1, 0.2f}, {0, 1, 0}, 2, 1}, // in the beam along y
+        {{0.2f, 0.8f, -1}, {0, 0, 1}, 2, 1}, // in the beam along z
+        {{-1, 0.2f, 0.2f}, {1, 0, 0}, 2, 2}, // corner at 0, beam along y
+        {{-1, 0.8f, 0.8f}, {1, 0, 0}, 2, 2}, // beam along z, corner at 1
     };
     const auto expectKnown = [&](const Partition& partition, const std::span<const Known> rays) {
         const AccelerationStructure structure = build(scene, partition, false);
@@ -200,7 +200,7 @@ TEST(Marching, aPinwheelHasTheKnownHitsAndSteps) {
     expectKnown(kSolid, solid);
 }
 
-// Every ray hits what brute force hits, to the bit.
+// Every ray must find the same hit as brute force, to the bit.
 void expectTheHitsOfBruteForce(const Scene& scene, const AccelerationStructure& structure) {
     const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
     std::size_t hits = 0;
@@ -252,7 +252,8 @@ TEST(Merging, joinsLeavesThatFormABox) {
                          const std::uint32_t count) {
         return Leaf{packCell(lo), packCell(hi), first, count};
     };
-    // Two that list the same, one beside them with much else, and an empty one over all.
+    // Two leaves with equal lists, a third beside them with more triangles, and an empty one above all of
+    // them.
     const LeafList list{{leaf({0, 0, 0}, {1, 1, 1}, 0, 2), leaf({1, 0, 0}, {2, 1, 1}, 2, 2),
                          leaf({2, 0, 0}, {4, 1, 1}, 4, 4), leaf({0, 1, 0}, {4, 2, 1}, 8, 0)},
                         {3, 5, 3, 5, 6, 7, 8, 9}};

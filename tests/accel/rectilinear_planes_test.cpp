@@ -1,4 +1,4 @@
-// A lattice of uneven cells: its planes, and positions that find their cells.
+// A lattice of uneven cells: its planes, and the search for the cell of a position.
 #include "metamarch/accel/rectilinear_planes.h"
 #include "metamarch/accel/triangle_clip.h"
 
@@ -34,7 +34,8 @@ std::vector<float> randomPlanes(const int count, const float extent) {
     return planes;
 }
 
-// As many planes as there may be, each the next float after the last: one bucket holds them all.
+// Returns the maximum number of planes, each the next float after the one before: a single bucket holds them
+// all.
 std::vector<float> adjacentPlanes(const float first) {
     std::vector<float> planes{first};
     while (planes.size() < kMaxLatticeResolution - 1) {
@@ -46,7 +47,7 @@ std::vector<float> adjacentPlanes(const float first) {
 std::vector<float> halvedPlanes(const float extent) {
     std::vector<float> planes;
     for (int i = 1; i < 140; ++i) {
-        planes.push_back(std::ldexp(extent, -i)); // down to the denormals
+        planes.push_back(std::ldexp(extent, -i)); // down to denormals
     }
     return planes;
 }
@@ -71,7 +72,7 @@ class RectilinearPlanesTest : public testing::TestWithParam<NamedPlanes> {
     }
 };
 
-// The cell that holds a coordinate, by a binary search over the inner planes.
+// Returns the cell of a coordinate by a binary search over the inner planes.
 int cellOf(std::vector<float> inner, const float coordinate) {
     std::ranges::sort(inner);
     const auto repeated = std::ranges::unique(inner);
@@ -101,7 +102,7 @@ TEST_P(RectilinearPlanesTest, positionsFindTheCellsThatABinarySearchFinds) {
     }
 }
 
-// The traversal clamps what lies outside; the search must come back at all.
+// The traversal clamps positions outside the lattice; the search only has to terminate for them.
 TEST_P(RectilinearPlanesTest, positionsOutsideFindACellBeforeOrBehind) {
     const RectilinearPlanes planes = across(1);
     const int resolution = static_cast<int>(planes.layout().resolution.y);
@@ -137,7 +138,7 @@ TEST(RectilinearPlanes, areSortedOnceAndInside) {
     EXPECT_EQ(planes.numberOf(0, 7.0f), 3u);
 }
 
-// A search then looks at one plane, or two.
+// A search then looks at one or two planes.
 TEST(RectilinearPlanes, aFineLookUpLeavesNoMoreThanOnePlaneToABucket) {
     const RectilinearPlanes planes({evenPlanes(1023), {0.5f, 0.6f, 1022.0f}, {}}, vec3(1023.0f));
     const Rectilinear& layout = planes.layout();
@@ -151,7 +152,7 @@ TEST(RectilinearPlanes, aFineLookUpLeavesNoMoreThanOnePlaneToABucket) {
     }
 }
 
-// Planes at the integers are those of a uniform lattice.
+// With planes at the integers, the lattice is uniform.
 TEST(RectilinearPlanes, trianglesTouchTheCellsOfAUniformLattice) {
     const glm::uvec3 resolution(9, 14, 5);
     const RectilinearPlanes planes({evenPlanes(9), evenPlanes(14), evenPlanes(5)}, vec3(resolution));

@@ -1,4 +1,4 @@
-// The rectilinear table: a kd-tree with its planes where it wants them, cell by cell.
+// The rectilinear table: keeps a kd-tree's planes unchanged; checked cell by cell.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -81,7 +81,7 @@ TEST(RectilinearTable, hasThePlanesOfTheTreeToTheBit) {
     }
 }
 
-// The node of the plan in which a point ends.
+// Returns the node of the plan that contains a point.
 std::size_t plannedLeaf(const SplitPlan& plan, const glm::vec3 point) {
     std::size_t node = 0;
     while (plan.nodes[node].axis != kNoSplit) {
@@ -92,8 +92,8 @@ std::size_t plannedLeaf(const SplitPlan& plan, const glm::vec3 point) {
     return node;
 }
 
-// Cells of one leaf of the tree name one leaf of the table; several leaves of the tree share one where they
-// are empty, and the margin alone had told them apart.
+// All cells of a leaf of the tree name the same leaf of the table. Several leaves of the tree share one only
+// if they are empty, where only the margin kept them apart.
 TEST(RectilinearTable, carriesTheTreeExactly) {
     const Made made = make(triangleSoup(2000, 6), wanted(10));
     const SplitPlan plan = planSplits(made.lattice, made.corners, 10);
@@ -118,14 +118,14 @@ TEST(RectilinearTable, everyCellNamesALeafThatHoldsIt) {
     for (const bool exitBoxes : {false, true}) {
         const Made made = make(triangleSoup(2000, 6), wanted(10), exitBoxes);
         const glm::uvec3 resolution = made.table.planes.layout().resolution;
-        std::size_t volume = 0; // of the leaves together
+        std::size_t volume = 0; // total volume of the leaves
         for (const Leaf& leaf : made.table.table.leaves) {
             const glm::ivec3 size = unpackCell(leaf.hi) - unpackCell(leaf.lo);
             volume += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                       static_cast<std::size_t>(size.z);
         }
         EXPECT_EQ(volume == made.table.planes.layout().cellCount,
-                  !exitBoxes); // those tile, exit boxes overlap
+                  !exitBoxes); // the leaves tile the lattice, exit boxes overlap
         forEachCell(resolution, [&](const glm::ivec3 cell) {
             const Leaf& leaf = leafAt(made.table, cell);
             ASSERT_TRUE(glm::all(glm::lessThanEqual(unpackCell(leaf.lo), cell)));
@@ -134,7 +134,7 @@ TEST(RectilinearTable, everyCellNamesALeafThatHoldsIt) {
     }
 }
 
-// In every box that a ray may cross after a leaf, the leaf lists what comes within the margin.
+// For every box that a ray may cross after testing a leaf, the leaf lists what comes within the margin.
 TEST(RectilinearTable, leavesListWhatComesWithinTheMargin) {
     for (const bool exitBoxes : {false, true}) {
         const Made made = make(triangleSoup(400, 3), wanted(8), exitBoxes);
@@ -181,7 +181,7 @@ TEST(RectilinearTable, ofOneTriangleHoldsItOnce) {
         1);
 }
 
-// What a wanted depth would take is said, and the depth that is offered instead fits.
+// The message tells the size that the requested depth needs, and the depth that it offers instead fits.
 TEST(RectilinearTable, refusesADepthThatDoesNotFitWithItsSize) {
     const Scene scene = triangleSoup(6000, 3);
     const std::string line = lineOfError(ErrorKind::outOfMemory, [&] { make(scene, wanted(20)); });
@@ -199,7 +199,7 @@ TEST(RectilinearTable, refusesADepthThatDoesNotFitWithItsSize) {
                 [&] { make(scene, wanted(deepest + 1)); });
 }
 
-// The deepest tree that fits is one whose next level does not.
+// The deepest tree that fits is the one whose next level does not fit.
 TEST(RectilinearTable, takesTheDeepestTreeThatFits) {
     const Scene scene = triangleSoup(6000, 3);
     const Made made = make(scene, {kMaxTreeDepth, false});
@@ -218,7 +218,7 @@ TEST(RectilinearTable, takesTheDeepestTreeThatFits) {
         overAnAxis = overAnAxis || axis.size() + 1 > kMaxLatticeResolution;
     }
     EXPECT_TRUE(overAnAxis || cells > kMostAutomaticCells);
-    // A limit below that is kept.
+    // A limit below that depth is respected.
     EXPECT_EQ(make(scene, {5, false}).table.depth, 5u);
     EXPECT_EQ(make(scene, {0, false}).table.planes.layout().cellCount, 1u);
 }

@@ -1,4 +1,4 @@
-// The split that the builder chooses, against every plane evaluated by counting.
+// The builder's choice of a split, against the cost of every plane found by counting.
 #include "metamarch/accel/split.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 double surface(const glm::dvec3 size) { return 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x); }
 
-// The cost of the children of a split, by definition: each is crossed with the probability of its surface.
+// The cost of a split's children by definition: a ray crosses each with a probability proportional to its
+// surface.
 double costOf(const std::span<const TriangleReference> references, const CellRange& box,
               const glm::dvec3& cellSize, const unsigned axis, const unsigned plane) {
     const auto countIf = [&](const auto& predicate) {
@@ -43,7 +44,7 @@ std::vector<TriangleReference> randomReferences(const CellRange& box, const std:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::uniform_int_distribution<unsigned> cell(box.lo[axis], box.hi[axis]);
             const auto [first, last] = std::minmax({cell(random), cell(random), cell(random)});
-            // Many small triangles and a few large ones.
+            // Many small references and a few large ones.
             references[i].cells.lo[axis] = static_cast<std::uint16_t>(first);
             references[i].cells.hi[axis] = static_cast<std::uint16_t>(i % 8 == 0 ? last : first);
         }
@@ -97,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Nodes, FindSplit, testing::ValuesIn(kCases),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 TEST(FindSplitTie, goesToTheLowestAxisAndPlane) {
-    // Everything lies everywhere: all planes of a cube cost the same, in whole numbers of cells to the bit.
+    // All references fill the cube, so all its planes cost the same, to the bit.
     const CellRange cube{{4, 4, 4}, {7, 7, 7}};
     const std::vector<TriangleReference> references(5, TriangleReference{0, cube});
     const auto split = findSplit(references, cube, glm::dvec3(1.0));
@@ -114,7 +115,8 @@ TEST(FindSplitTie, goesToTheLowestAxisAndPlane) {
 }
 
 TEST(FindSplitBonus, favoursCuttingOffEmptySpace) {
-    // Without the bonus the plane at 5 would cost less than the one at 1, below which nothing lies.
+    // Without the bonus, the plane at 5 would cost less than the plane at 1, below which there are no
+    // triangles.
     const CellRange box{{0, 0, 0}, {9, 0, 0}};
     std::vector<TriangleReference> references(6, TriangleReference{0, {{1, 0, 0}, {9, 0, 0}}});
     references.insert(references.end(), 2, TriangleReference{0, {{1, 0, 0}, {4, 0, 0}}});

@@ -1,4 +1,4 @@
-// Which cells a triangle is listed in, against every cell tried one by one.
+// The cells in which a triangle is listed, against a test of every single cell.
 #include "accel/overlap.h"
 #include "metamarch/accel/triangle_clip.h"
 
@@ -12,7 +12,7 @@
 namespace metamarch::tests {
 namespace {
 
-// The range of the cells in `box` that, grown by `margin`, meet the triangle.
+// Returns the range of the cells in `box` that meet the triangle if grown by `margin`.
 std::optional<CellRange> bruteForceCells(const LatticeTriangle& triangle, const CellRange& box,
                                          const glm::dvec3& margin) {
     std::optional<CellRange> range;
@@ -54,8 +54,8 @@ std::string describe(const std::optional<CellRange>& range) {
         .GetString();
 }
 
-// Boxes of the sizes that inner nodes have, up to 1023 cells from the origin, in lattices of this resolution:
-// the margin in cells grows with it.
+// Boxes as large as inner nodes, up to 1023 cells from the origin, in lattices of this resolution, with which
+// the margin in cells grows.
 struct ClipCase {
     const char* name;
     CellRange box;
@@ -75,7 +75,7 @@ const ClipCase kCases[] = {
 
 constexpr unsigned kTriangleKinds = 8;
 
-// Triangles of one kind after the other, in and around the box.
+// Makes triangles of one kind after the other, in and around the box.
 class TriangleMaker {
   public:
     TriangleMaker(const CellRange& box, const glm::dvec3& usedMargin)
@@ -88,9 +88,9 @@ class TriangleMaker {
         switch (kind) {
         case 0: // about as large as the box
             return triangle;
-        case 1: // far larger
+        case 1: // far larger than the box
             return {point(100.0), point(100.0), point(100.0)};
-        case 2: // about a cell
+        case 2: // about as large as a cell
             return {triangle[0], triangle[0] + 2.0 * unit() - 1.0, triangle[0] + 2.0 * unit() - 1.0};
         case 3: // a sliver
             triangle[2] = glm::mix(triangle[0], triangle[1], unit().x) + 1e-9 * unit();
@@ -98,9 +98,9 @@ class TriangleMaker {
         case 4: // in a lattice plane
             triangle[0][axis] = triangle[1][axis] = triangle[2][axis] = std::round(triangle[0][axis]);
             return triangle;
-        case 5: // all corners are lattice corners
+        case 5: // all corners are lattice points
             return {glm::round(point(2.0)), glm::round(point(2.0)), glm::round(point(2.0))};
-        case 6: // one to three margins off a lattice plane
+        case 6: // one to three margins away from a lattice plane
             triangle[0][axis] = triangle[1][axis] = triangle[2][axis] =
                 std::round(triangle[0][axis]) + margin[axis] * (6.0 * unit().x - 3.0);
             return triangle;
@@ -116,7 +116,7 @@ class TriangleMaker {
         return {distribution(random), distribution(random), distribution(random)};
     }
 
-    // In the box and, around it, up to `reach` times its size and a cell.
+    // Returns a point in the box or around it, within `reach` times its size plus a cell.
     glm::dvec3 point(const double reach) {
         const glm::dvec3 size = hi - lo + 1.0;
         return lo - 0.5 - 0.5 * (reach - 1.0) * size + unit() * (reach * size);
@@ -159,7 +159,7 @@ TEST_P(TouchedCells, areThoseThatBruteForceFinds) {
 INSTANTIATE_TEST_SUITE_P(Boxes, TouchedCells, testing::ValuesIn(kCases),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-// Two boxes that share a plane: no triangle may fall between them.
+// Two boxes share a plane: no triangle may be missed by both.
 TEST(TouchedCellsAtAPlane, areInAtLeastOneOfTheHalves) {
     const CellRange below{{0, 0, 0}, {4, 9, 9}};
     const CellRange above{{5, 0, 0}, {9, 9, 9}};

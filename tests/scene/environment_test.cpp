@@ -1,4 +1,4 @@
-// Environment maps, sound and not.
+// Environment maps, valid and broken.
 #include "fixtures/expect_error.h"
 #include "fixtures/shared_scenes.h"
 #include "fixtures/temporary_folder.h"
@@ -62,7 +62,7 @@ TEST_F(EnvironmentTest, EncodedPicturesAreDecoded) {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// 9 x 5 of grey 1, but for one texel.
+// Returns 9 x 5 texels of grey 1, except for one texel.
 std::vector<float> greyBut(const glm::vec3& odd, std::size_t x, std::size_t y) {
     std::vector<float> pixels(std::size_t{3} * 9 * 5, 1.0f);
     float* const texel = &pixels[3 * (y * 9 + x)];
@@ -108,7 +108,7 @@ TEST_F(EnvironmentTest, ColoursOutsideRec709LoseTheirNegativeChannel) {
 }
 
 TEST_F(EnvironmentTest, UndershootBesideBrighterLightBecomesBlack) {
-    // A point of light between two texels, scaled by Lanczos's filter of three lobes, over the seam.
+    // A point of light between two texels, scaled by Lanczos's filter with three lobes, across the seam.
     const std::vector<float> lobes = {0.0243f, -0.1351f, 0.6079f, 0.6079f, -0.1351f, 0.0243f};
     const std::size_t width = 16;
     std::vector<float> pixels(width * 3, 0.0f);
@@ -120,7 +120,7 @@ TEST_F(EnvironmentTest, UndershootBesideBrighterLightBecomesBlack) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
         EXPECT_EQ(sky.texels[i], glm::vec3(std::max(pixels[i], 0.0f))) << i;
     EXPECT_EQ(sky.warnings.size(), 1u);
-    // The same depth far from the light is no undershoot.
+    // Far from the light, the same negative value is no undershoot.
     pixels[width + 8] = -0.1351f;
     expectError(ErrorKind::inputRefused, ": texel 8,1 has a radiance of -0.1351",
                 [&] { loadEnvironment(writeExr({"Y"}, pixels, width)); });
@@ -142,7 +142,8 @@ TEST(SharedScenes, Environments) {
     if (!folder)
         return;
     const Environment venice =
-        loadEnvironment(*folder / "hdr/pmndrs-venice.exr"); // was scaled, with a deep filter
+        // Was scaled with a filter that undershoots deeply.
+        loadEnvironment(*folder / "hdr/pmndrs-venice.exr");
     ASSERT_EQ(venice.warnings.size(), 1u);
     EXPECT_NE(
         venice.warnings[0].find("texels that have them: 233 (91 colours outside Rec. 709, 142 undershoots"),
@@ -152,7 +153,7 @@ TEST(SharedScenes, Environments) {
     const Environment esplanade = loadEnvironment(*folder / "hdr/royal_esplanade_1k.hdr");
     EXPECT_EQ(esplanade.texels.size(), 1024u * 512u);
     const auto brightest = std::ranges::max(esplanade.texels, {}, [](const glm::vec3& t) { return t.g; });
-    EXPECT_GT(brightest.g, 100.0f); // no 8-bit picture
+    EXPECT_GT(brightest.g, 100.0f); // not an 8-bit image
 }
 
 } // namespace

@@ -16,7 +16,7 @@ void expectNear(const glm::vec3& a, const glm::vec3& b) {
     EXPECT_LT(glm::distance(a, b), 1e-5f) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-// Node 0 with the triangle, animated by one channel; keys at 1, 2 and 4 seconds.
+// Node 0 holds the triangle and is animated by one channel, with keyframes at 1, 2 and 4 seconds.
 class AnimatedFile : public TriangleFile {
   public:
     AnimatedFile(const char* path, const char* interpolation, const char* type, std::size_t size,
@@ -41,7 +41,7 @@ class AnimatedFile : public TriangleFile {
 TEST(GltfAnimation, LinearBetweenKeysAndStillOutside) {
     AnimatedFile file("translation", "LINEAR", "VEC3", 3, {0, 0, 0, 10, 0, 0, 10, 20, 0});
     file.node()["translation"] = {0, 0, 7};
-    EXPECT_EQ(file.load().positions[0], glm::vec3(0, 0, 7)); // as the file stands
+    EXPECT_EQ(file.load().positions[0], glm::vec3(0, 0, 7)); // the pose in the file
     expectNear(file.at(-5)[0], {0, 0, 0});
     expectNear(file.at(1)[0], {0, 0, 0});
     expectNear(file.at(1.5)[0], {5, 0, 0});
@@ -58,7 +58,7 @@ TEST(GltfAnimation, StepHoldsTheKeyBefore) {
     expectNear(file.at(4)[0], {10, 20, 0});
 }
 
-// Each key: tangent of arrival, value, tangent of departure. At t = 1/2 of an interval of d seconds:
+// Each keyframe has in-tangent, value and out-tangent. In the middle of an interval of d seconds the value is
 // (v0 + v1) / 2 + d (b0 - a1) / 8.
 TEST(GltfAnimation, CubicSplineIsHermites) {
     AnimatedFile file("translation", "CUBICSPLINE", "VEC3", 3, {9, 9,  9, 0, 0, 0, 8,  0,  0, //
@@ -73,7 +73,7 @@ TEST(GltfAnimation, CubicSplineIsHermites) {
 
 TEST(GltfAnimation, RotationTakesTheShortWayAtEvenSpeed) {
     const float half = std::sqrt(0.5f);
-    // none, then 90 degrees about z, then the same by the quaternion of the other sign
+    // No rotation, then 90 degrees about z, then the same rotation as the negated quaternion.
     AnimatedFile file("rotation", "LINEAR", "VEC4", 4, {0, 0, 0, 1, 0, 0, half, half, 0, 0, -half, -half});
     const auto turned = [](double degrees) {
         const double angle = degrees * 3.14159265358979 / 180.0;
@@ -161,7 +161,7 @@ TEST(GltfAnimation, ChannelsOfExtensionsAreReported) {
     EXPECT_TRUE(scene.warnings.at(0).ends_with("channel 0: path 'pointer' is not animated"));
 }
 
-// Target 0 moves the second vertex up, target 1 the first to the left and turns its normal.
+// Target 0 moves the second vertex up. Target 1 moves the first to the left and rotates its normal.
 class MorphFile : public TriangleFile {
   public:
     MorphFile() {
@@ -189,7 +189,7 @@ TEST(GltfMorph, WeightsOfTheNodeBeforeTheMeshs) {
 TEST(GltfMorph, WeightsAreAnimated) {
     MorphFile file;
     const int input = file.addFloats("SCALAR", 1, {0, 1});
-    const int output = file.addFloats("SCALAR", 1, {0, 0, 1, 0.5f}); // two weights for each key
+    const int output = file.addFloats("SCALAR", 1, {0, 0, 1, 0.5f}); // two weights per keyframe
     file.root["animations"] = {
         {{"samplers", {{{"input", input}, {"output", output}}}},
          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}}};
@@ -222,7 +222,7 @@ TEST(GltfMorph, TargetOfAnotherSizeIsRefused) {
               "mesh 'body' primitive 0 target 0: POSITION has 1 elements, POSITION of the primitive has 3");
 }
 
-// Node 0 has the mesh and is moved, which must not matter; nodes 1 and 2 are the joints, at x = 1 and x = 2.
+// Node 0 has the mesh and is moved, which must not matter. Nodes 1 and 2 are the joints, at x = 1 and x = 2.
 class SkinFile : public TriangleFile {
   public:
     SkinFile() {
@@ -245,19 +245,19 @@ class SkinFile : public TriangleFile {
 
 TEST(GltfSkin, VerticesFollowTheirJoints) {
     SkinFile file;
-    // the first by joint 0, the second by joint 1, the third by both
+    // Joint 0 moves the first vertex, joint 1 the second, and both move the third.
     EXPECT_EQ(file.load().positions, Positions({{1, 0, 0}, {3, 0, 0}, {1.75f, 1, 0}}));
     EXPECT_EQ(file.load({.scale = 2.0f}).positions, Positions({{2, 0, 0}, {6, 0, 0}, {3.5f, 2, 0}}));
 }
 
 TEST(GltfSkin, InverseBindMatricesComeFirst) {
     SkinFile file;
-    // they undo where the joints stand in the file: the mesh stays where it is
+    // The matrices undo the joints' positions in the file, so the mesh stays in place.
     file.root["skins"][0]["inverseBindMatrices"] =
         file.addFloats("MAT4", 16, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1, //
                                     1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -2, 0, 0, 1});
     EXPECT_EQ(file.load().positions, Positions({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-    // a quarter turn of joint 1 about z, at x = 2: (x, y) to (2 - y, x - 2)
+    // A quarter turn of joint 1 about z, at x = 2, maps (x, y) to (2 - y, x - 2).
     file.root["nodes"][2]["rotation"] = {0, 0, 0.7071067811865476, 0.7071067811865476};
     const Positions turned = file.load().positions;
     expectNear(turned[0], {0, 0, 0});

@@ -9,7 +9,7 @@ namespace {
 TEST(GltfCamera, PerspectiveAtItsNode) {
     GltfFile file;
     file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
-    // a quarter turn about y: looks along -x; scaled, which must not matter
+    // A quarter turn about y makes it look along -x; the scale must not matter.
     file.root["nodes"] = {{{"camera", 0},
                            {"name", "front"},
                            {"translation", {1, 2, 3}},

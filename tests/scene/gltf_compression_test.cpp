@@ -1,4 +1,4 @@
-// Draco and meshopt: what is decoded is what was encoded, and hostile bytes are refused.
+// Draco and meshopt: decoding restores what was encoded, and hostile bytes are refused.
 #include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
 
@@ -32,7 +32,7 @@ int addAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::
     return mesh.AddAttribute(std::make_unique<draco::PointAttribute>(std::move(attribute)));
 }
 
-// Two triangles, exact: in sequence and not quantised.
+// Returns two triangles without loss: sequential encoding and no quantisation.
 std::vector<char> dracoBytes(int& positionId, int& colorId) {
     draco::Mesh mesh;
     mesh.set_num_points(4);
@@ -113,13 +113,13 @@ TEST(GltfDraco, WhatDoesNotFitIsRefused) {
     EXPECT_EQ(view.refusal(), label + "buffer view 9 does not exist, there are 1");
     view.extension().erase("bufferView");
     EXPECT_EQ(view.refusal(), label + "buffer view -1 does not exist, there are 1");
-    // an attribute that is not compressed has nothing of its own to read
+    // An attribute without compressed data has no data of its own either.
     DracoFile partly;
     partly.extension()["attributes"].erase("COLOR_0");
     EXPECT_EQ(partly.refusal(), "mesh 'body' primitive 0: COLOR_0: accessor 1: has no data");
 }
 
-// Cut off and flipped everywhere; ASan in the sanitised build is the judge.
+// Data that is cut off or has flipped bits anywhere; ASan in the sanitizer build detects errors.
 TEST(GltfDraco, HostileBytes) {
     DracoFile file;
     std::size_t refused = 0;
@@ -144,7 +144,7 @@ TEST(GltfDraco, HostileBytes) {
 
 #ifdef METAMARCH_MESHOPT
 
-// Four vertices of 16 bytes (position, then 4 spare) and two triangles.
+// Four vertices of 16 bytes (position and 4 spare bytes) and two triangles.
 class MeshoptFile : public GltfFile {
   public:
     MeshoptFile() {
@@ -171,7 +171,7 @@ class MeshoptFile : public GltfFile {
         root["extensionsRequired"] = {"EXT_meshopt_compression"};
     }
 
-    // A view of the fallback buffer 1, which has no bytes; the compressed ones lie in buffer 0.
+    // Adds a view of the fallback buffer 1, which has no bytes; the compressed bytes lie in buffer 0.
     int addCompressed(const std::vector<unsigned char>& bytes, Json extension) {
         const int view = addView(bytes);
         Json& json = root["bufferViews"][static_cast<std::size_t>(view)];
@@ -231,7 +231,7 @@ TEST(GltfMeshopt, SequenceAndTheNewerName) {
 
 TEST(GltfMeshopt, OctahedralFilter) {
     MeshoptFile file;
-    // +z, +x, -z, +y in 8 bits; the third number is what 1 is
+    // +z, +x, -z, +y in 8 bits; the third number is the value that stands for 1.
     const std::vector<std::int8_t> encoded = {0, 0, 127, 0, 127, 0, 127, 0, 127, 127, 127, 0, 0, 127, 127, 0};
     std::vector<unsigned char> bytes(meshopt_encodeVertexBufferBound(4, 4));
     bytes.resize(meshopt_encodeVertexBuffer(bytes.data(), bytes.size(), encoded.data(), 4, 4));

@@ -1,4 +1,4 @@
-// Small glTF files, written by the test that reads them.
+// Small glTF files that a test writes and reads.
 #pragma once
 #include "fixtures/temporary_folder.h"
 #include "metamarch/scene/import.h"
@@ -12,8 +12,8 @@
 
 namespace metamarch {
 
-// A glTF with one buffer, kept in scene.bin, and by default one node with one mesh. Tests change `root` at
-// will.
+// A glTF with one buffer, stored in scene.bin, and by default one node with one mesh. Tests modify `root`
+// freely.
 class GltfFile {
   public:
     nlohmann::json root = {
@@ -27,7 +27,7 @@ class GltfFile {
     nlohmann::json& primitive() { return root["meshes"][0]["primitives"][0]; }
     nlohmann::json& node() { return root["nodes"][0]; }
 
-    // Appends the numbers and returns the index of a buffer view over them.
+    // Appends the numbers to the buffer and returns the index of a buffer view of them.
     template <typename T>
     int addView(const std::vector<T>& numbers) {
         const std::size_t offset = bytes_.size();
@@ -45,7 +45,7 @@ class GltfFile {
         return static_cast<int>(root["accessors"].size()) - 1;
     }
 
-    // `size`: numbers in an element of this type.
+    // `size` is the number of components of this type.
     int addFloats(const char* type, std::size_t size, const std::vector<float>& numbers) {
         return addAccessor({{"bufferView", addView(numbers)},
                             {"componentType", kFloat},
@@ -68,7 +68,7 @@ class GltfFile {
 
     std::filesystem::path write(const std::string& name = "scene.gltf");
     Scene load(const ImportOptions& options = {}) { return loadScene(write(), options); }
-    // The line of the inputRefused that loading must throw, without the file's path.
+    // Returns the message of the inputRefused error that loading must throw, without the file's path.
     std::string refusal();
 
     std::size_t byteCount() const { return bytes_.size(); }
@@ -86,7 +86,7 @@ class GltfFile {
     std::vector<unsigned char> bytes_;
 };
 
-// The same with one triangle, (0,0,0) (1,0,0) (0,1,0), which faces +z.
+// A GltfFile with one triangle, (0,0,0) (1,0,0) (0,1,0), which faces +z.
 class TriangleFile : public GltfFile {
   public:
     TriangleFile() { setPositions({0, 0, 0, 1, 0, 0, 0, 1, 0}); }
@@ -94,7 +94,7 @@ class TriangleFile : public GltfFile {
 
 void writeFile(const std::filesystem::path& path, const std::string& content);
 
-// The line of the inputRefused that loading `path` must throw, without the path that starts it.
+// Returns the message of the inputRefused error that loading `path` must throw, without the leading path.
 std::string refusalOf(const std::filesystem::path& path);
 
 } // namespace metamarch

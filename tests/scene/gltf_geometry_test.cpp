@@ -1,4 +1,4 @@
-// What valid glTF geometry becomes, number by number.
+// How valid glTF geometry is imported, number by number.
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(GltfGeometry, SparseWithoutBufferViewReplacesZeros) {
 
 TEST(GltfGeometry, InterleavedByStride) {
     GltfFile file;
-    // position, normal (of length 2), texture coordinate
+    // Each vertex: position, normal (of length 2), texture coordinate.
     const int view = file.addView<float>(
         {0, 0, 0, 0, 0, 2, 0.25f, 0.5f, 1, 0, 0, 0, 0, 2, 0.5f, 0.5f, 0, 1, 0, 0, 0, 2, 0.75f, 1.0f});
     file.root["bufferViews"][0]["byteStride"] = 32;
@@ -167,7 +167,7 @@ TEST(GltfGeometry, ColorsOfThreeAndFourChannels) {
 
 TEST(GltfGeometry, HierarchyOfTransforms) {
     TriangleFile file;
-    // 90 degrees about z, then twice the size at (10, 0, 0)
+    // First 90 degrees about z, then scaled by 2 and moved to (10, 0, 0).
     file.root["nodes"] = {{{"children", {1}}, {"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 10, 0, 0, 1}}},
                           {{"mesh", 0}, {"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}};
     EXPECT_EQ(file.load({.scale = 0.5f}).positions,
@@ -201,7 +201,7 @@ TEST(GltfGeometry, SingularMatrixFlattens) {
     const Scene scene = file.load();
     EXPECT_EQ(scene.triangles.size(), 1u);
     EXPECT_EQ(scene.normals[0], glm::vec3(0, 0, 1));
-    EXPECT_EQ(scene.normals[1], glm::vec3(0)); // flattened to nothing
+    EXPECT_EQ(scene.normals[1], glm::vec3(0)); // the transform maps it to zero
     EXPECT_TRUE(scene.warnings.empty());
 }
 
@@ -251,7 +251,7 @@ TEST(GltfGeometry, DefaultScene) {
     EXPECT_EQ(file.load().positions[0].z, 1.0f);
     file.root.erase("scene");
     EXPECT_EQ(file.load().positions[0].z, 0.0f);
-    file.root.erase("scenes"); // all root nodes
+    file.root.erase("scenes"); // selects all root nodes
     EXPECT_EQ(file.load().meshes.size(), 2u);
 }
 

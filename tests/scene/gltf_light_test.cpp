@@ -6,7 +6,7 @@
 namespace metamarch {
 namespace {
 
-// A node at (1, 2, 3) that turns by 90 degrees about y and carries light 0.
+// A node at (1, 2, 3), rotated by 90 degrees about y, with light 0.
 class LightFile : public GltfFile {
   public:
     explicit LightFile(const nlohmann::json& light) {
@@ -41,7 +41,7 @@ TEST(GltfLight, Point) {
     EXPECT_EQ(light.type, PunctualLight::Type::point);
     EXPECT_EQ(light.name, "pole");
     EXPECT_EQ(light.position, glm::vec3(10, 20, 30));
-    EXPECT_EQ(light.intensity, 300.0f); // as bright on a surface ten times as far away
+    EXPECT_EQ(light.intensity, 300.0f); // gives a surface ten times as far away the same irradiance
 }
 
 TEST(GltfLight, Spot) {
@@ -55,7 +55,7 @@ TEST(GltfLight, Spot) {
     EXPECT_EQ(light.outerConeAngle, 0.5f);
     expectNear(light.direction, {-1, 0, 0});
     EXPECT_FLOAT_EQ(spot(nlohmann::json::object()).outerConeAngle, 0.785398163f);
-    // out of range
+    // These angles are out of range.
     const PunctualLight wide = spot({{"innerConeAngle", 9}, {"outerConeAngle", 3}});
     EXPECT_FLOAT_EQ(wide.outerConeAngle, 1.57079633f);
     EXPECT_EQ(wide.innerConeAngle, wide.outerConeAngle);

@@ -78,7 +78,7 @@ TEST(GltfMaterial, CoreFactorsAndTextures) {
     EXPECT_EQ(lamp.alphaMode, AlphaMode::mask);
     EXPECT_EQ(lamp.alphaCutoff, 0.25f);
     EXPECT_TRUE(lamp.doubleSided);
-    // colours are encoded, everything else is linear
+    // Colours are sRGB-encoded, everything else is linear.
     EXPECT_TRUE(lamp.baseColorTexture.isSrgb);
     EXPECT_TRUE(lamp.emissiveTexture.isSrgb);
     EXPECT_FALSE(lamp.normalTexture.isSrgb);
@@ -116,7 +116,7 @@ TEST(GltfMaterial, SmallExtensions) {
     };
     EXPECT_EQ(ior(1.25), 1.25f);
     EXPECT_EQ(ior(0.5), 1.0f);
-    EXPECT_EQ(ior(0.0), 0.0f); // the extension's word for a dielectric that reflects all
+    EXPECT_EQ(ior(0.0), 0.0f); // the extension's value for a dielectric that reflects everything
     EXPECT_EQ(
         MaterialFile(withExtension("KHR_materials_dispersion", {{"dispersion", 2}})).material().dispersion,
         2.0f);
@@ -210,7 +210,7 @@ TEST(GltfMaterial, ClearcoatAndIridescence) {
                               .material();
     EXPECT_EQ(film.iridescenceFactor, 0.5f);
     EXPECT_EQ(film.iridescenceIor, 2.0f);
-    EXPECT_EQ(film.iridescenceThicknessMinimum, 200.0f); // may be the larger one
+    EXPECT_EQ(film.iridescenceThicknessMinimum, 200.0f); // may exceed the maximum
     EXPECT_EQ(film.iridescenceThicknessMaximum, 100.0f);
     EXPECT_NE(film.iridescenceTexture.texture, kNoTexture);
     EXPECT_NE(film.iridescenceThicknessTexture.texture, kNoTexture);

@@ -76,7 +76,7 @@ TEST(GltfRefusal, IndicesOfElementsOutOfRange) {
         TriangleFile file;
         file.root[Json::json_pointer(pointer)] = 9;
         expectRefusal(file, line);
-        // 2^32 + 0 would be a valid 0 after tinygltf's cut to 32 bits
+        // tinygltf truncates to 32 bits, which would make a valid 0 of 2^32.
         file.root[Json::json_pointer(pointer)] = std::uint64_t{1} << 32;
         expectRefusal(file, "4294967296 is not an integer from 0 to 2147483647");
     }
@@ -215,7 +215,7 @@ TEST(GltfRefusal, NotGltf) {
     EXPECT_EQ(refusalOf(folder / "list.gltf"), "meshes is not an array of objects");
 }
 
-// Header and chunk lengths of a GLB, one wrong at a time.
+// The lengths of a GLB's header and chunks, with one of them wrong at a time.
 TEST(GltfRefusal, GlbLengths) {
     const TemporaryFolder folder;
     const std::string json = R"({"asset":{"version":"2.0"}} )";

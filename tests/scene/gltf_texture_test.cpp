@@ -1,4 +1,4 @@
-// Textures of glTF: images, samplers, transforms, texture coordinates, and what is missing or broken.
+// Textures of glTF: images, samplers, transforms, texture coordinates, and missing or broken files.
 #include "fixtures/expect_error.h"
 #include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A triangle painted with the texture of one image, wood.png.
+// A triangle with a texture whose image is wood.png.
 class PaintedFile : public TriangleFile {
   public:
     PaintedFile() {
@@ -65,8 +65,8 @@ TEST(GltfTexture, SamplersOfEveryKind) {
     EXPECT_EQ(file.refusal(), "texture 0: image 7 does not exist, there are 1");
 }
 
-// (0.25, 0.5) turned by 90 degrees: what is seen turns clockwise, so the look-up turns the other way, which
-// with v downwards maps (u, v) to (v, -u).
+// Rotates (0.25, 0.5) by 90 degrees. The visible image turns clockwise, so the look-up turns the other way;
+// with v downwards it maps (u, v) to (v, -u).
 TEST(GltfTexture, TransformScalesThenTurnsThenMoves) {
     PaintedFile file;
     expectNear(lookUp(PaintedFile::ref(file.load()), {0.25f, 0.5f}), {0.25f, 0.5f});
@@ -200,8 +200,8 @@ TEST(GltfTexture, OnlyWhatTrianglesUseIsRead) {
     PaintedFile file;
     file.root["images"].push_back({{"uri", "gone.png"}});
     file.root["textures"].push_back({{"source", 1}});
-    file.root["materials"].push_back({{"emissiveTexture", {{"index", 1}}}}); // of no triangle
-    file.root["materials"][0]["occlusionTexture"] = {{"index", 1}};          // of no use to a path tracer
+    file.root["materials"].push_back({{"emissiveTexture", {{"index", 1}}}}); // used by no triangle
+    file.root["materials"][0]["occlusionTexture"] = {{"index", 1}};          // ignored by a path tracer
     const Scene scene = file.load();
     EXPECT_EQ(scene.textures.size(), 1u);
     EXPECT_EQ(scene.images.size(), 1u);

@@ -15,7 +15,7 @@ const std::string kPlyHeader =
     "property float z\nelement face 3\nproperty list uchar int vertex_indices\nend_header\n";
 const std::string kPly = kPlyHeader + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 0 1\n3 0 1 2\n";
 const std::string kOff = "OFF\n# a comment\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 0 1\n";
-// What becomes of their faces: Assimp turns the corners of the degenerate one, 0 0 1.
+// The triangles of the files' faces. Assimp permutes the corners of the degenerate one, 0 0 1.
 const Triangles kTriangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 0}, {0, 1, 2}};
 
 const std::string kObj = "mtllib a.mtl\no first\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n"
@@ -74,7 +74,7 @@ TEST_F(MeshImport, ObjNamesMaterialsAndJoinedVertices) {
     ASSERT_EQ(scene.meshes.size(), 2u);
     EXPECT_EQ(scene.meshes[0].name, "first");
     EXPECT_EQ(scene.meshes[1].name, "second");
-    EXPECT_EQ(scene.positions.size(), 4u + 3u); // each mesh has its own
+    EXPECT_EQ(scene.positions.size(), 4u + 3u); // the meshes share no vertices
     EXPECT_EQ(scene.triangles.size(), 4u);
     ASSERT_EQ(scene.materials.size(), 2u);
     const Material& red = scene.materials[scene.triangleMaterial[0]];
@@ -111,8 +111,8 @@ TEST_F(MeshImport, IndexOutOfRange) {
     EXPECT_TRUE(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").starts_with("not obj: "));
 }
 
-// Cut off at any byte: refused, or read as the smaller file it then is. ASan in the sanitised build is the
-// judge here; the last bytes of a text may be white space.
+// A file that is cut off at any byte is refused or read as a smaller file. ASan in the sanitizer build
+// detects errors. The last bytes of a text may be white space.
 TEST_F(MeshImport, CutOffAnywhere) {
     const auto refusals = [&](const std::string& name, const std::string& content) {
         std::size_t refused = 0;
@@ -148,7 +148,7 @@ TEST_F(MeshImport, BinaryPlyCutOff) {
     EXPECT_EQ(refusal("a.ply", ply), "mesh 0: face 0 has no corners");
 }
 
-// Found by flipping bytes: the words suffice, but on the wrong lines.
+// Found by flipping bytes: there are enough words, but on the wrong lines.
 TEST_F(MeshImport, PlyElementsOnWrongLines) {
     std::string ply = kPly;
     EXPECT_EQ(refusal("a.ply", ply.replace(ply.find("1 1 0\n"), 6, "1 1\n0 ")),

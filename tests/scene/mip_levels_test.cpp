@@ -1,4 +1,4 @@
-// The smaller levels of textures: means of areas in linear light, and the bytes they become.
+// The mip levels of textures: means of areas in linear light, and the bytes that store them.
 #include "metamarch/shading/texture/mip_levels.h"
 #include "metamarch/shading/texture/texel_words.h"
 
@@ -53,7 +53,7 @@ TEST(MipLevels, areMeansOfFourTexels) {
     EXPECT_EQ(levels[1].texels[0].a, 1.0f);
 }
 
-// A row of five becomes two, each of two and a half; then one.
+// A row of five texels becomes two, each the mean of two and a half; then one.
 TEST(MipLevels, divideOddSizesExactly) {
     const std::vector<MipLevel> levels = plainLevels(greyOf(5, {10, 20, 40, 80, 160}));
     EXPECT_FLOAT_EQ(levels[0].texels[0].r * 255.0f, (10.0f + 20.0f + 20.0f) / 2.5f);
@@ -83,7 +83,7 @@ TEST(MipLevels, keepTheMeanOfTheImage) {
     }
 }
 
-// Half of the texels white: half of the light, whose byte is 188 and not 128.
+// If half of the texels are white, the mean has half of the light, which is byte 188 and not 128.
 TEST(MipLevels, averageColoursInLinearLight) {
     const std::vector<MipLevel> levels = makeMipLevels(greyOf(2, {0, 255, 255, 0}), true, ColorWeight::equal);
     EXPECT_EQ(levels[0].texels[0], glm::vec4(0.5f, 0.5f, 0.5f, 1.0f));
@@ -107,7 +107,7 @@ TEST(MipLevels, giveEveryByteBack) {
     }
 }
 
-// A level's byte is the one whose light is nearest.
+// A level's byte is the one whose linear value is nearest.
 TEST(MipLevels, roundColoursToTheNearestLight) {
     TextureImage bytes = imageOf(1, {glm::u8vec4(0)});
     const auto lightOf = [&](const std::uint32_t byte) {
@@ -137,7 +137,8 @@ TEST(MipLevels, keepDeepTexelsInLinearLight) {
     EXPECT_EQ(makeMipLevels(image, true, ColorWeight::equal)[0].texels[0].r, 0.5f);
 }
 
-// Of a leaf, green, the black around it is not seen; where there is nothing at all the colours count alike.
+// The black around a green leaf is invisible and does not count; where all is transparent, colours count
+// equally.
 TEST(MipLevels, colourWhatIsThere) {
     const glm::u8vec4 leaf(0, 255, 0, 255);
     const glm::u8vec4 half(255, 0, 0, 51);
@@ -155,7 +156,7 @@ TEST(MipLevels, colourWhatIsThere) {
     EXPECT_FLOAT_EQ(mixed.a, 0.6f);
 }
 
-// A leaf in the corner of a large hole: the hole has its colour in every level.
+// A leaf in the corner of a large hole: the hole has the leaf's colour in every level.
 TEST(MipLevels, colourHolesAsWhatIsAroundThem) {
     std::vector<glm::u8vec4> texels(16 * 8, glm::u8vec4(255, 0, 255, 0));
     texels[0] = glm::u8vec4(0, 255, 0, 255);
@@ -167,7 +168,7 @@ TEST(MipLevels, colourHolesAsWhatIsAroundThem) {
     }
 }
 
-// Two normals that lean apart: their mean stands upright, and is shorter than they are.
+// The mean of two normals that lean apart is upright and shorter than they are.
 TEST(MipLevels, averageNormalsAsVectors) {
     TextureImage image;
     image.width = 2;

@@ -1,4 +1,4 @@
-// Materials of OBJ in glTF's terms.
+// Materials of OBJ, converted to glTF's.
 #include "fixtures/expect_error.h"
 #include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
@@ -11,7 +11,7 @@ namespace {
 
 class MtlMaterial : public testing::Test {
   protected:
-    // A triangle with one material of these lines.
+    // Loads a triangle whose material has these lines.
     Scene load(const std::string& lines, const ImportOptions& options = {}) {
         writeFile(folder / "a.mtl", "newmtl m\n" + lines);
         writeFile(folder / "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 0.75\n"
@@ -49,7 +49,7 @@ TEST_F(MtlMaterial, ClassicNumbers) {
     EXPECT_EQ(m.specularColorFactor, glm::vec3(0.5f, 0.25f, 0));
     EXPECT_EQ(m.emissiveFactor * m.emissiveStrength, glm::vec3(0, 4, 2));
     EXPECT_EQ(m.transmissionFactor, 0.0f);
-    EXPECT_EQ(m.ior, 1.5f); // Ni of what lets no light through is not told
+    EXPECT_EQ(m.ior, 1.5f); // Ni counts only for materials that transmit light
     EXPECT_TRUE(m.doubleSided);
 }
 
@@ -85,7 +85,7 @@ TEST_F(MtlMaterial, TextureIsPaintedUpright) {
     EXPECT_EQ(image(scene, ref).bytes.at(0), glm::u8vec4(10, 20, 30, 255));
     EXPECT_EQ(image(scene, ref).name, "texture 'maps/a b.png'");
     EXPECT_EQ(scene.textures[ref.texture].wrapS, TextureWrap::clampToEdge);
-    EXPECT_EQ(scene.texCoords[2], glm::vec2(0, 0.25f)); // v downwards
+    EXPECT_EQ(scene.texCoords[2], glm::vec2(0, 0.25f)); // v points down
     EXPECT_EQ(load("map_Kd maps/a b.png\n").textures[0].wrapT, TextureWrap::repeat);
 }
 
@@ -105,7 +105,7 @@ TEST_F(MtlMaterial, MaskBecomesAlpha) {
     EXPECT_EQ(bytes("map_Kd leaf.png\nmap_d cut.png\n"), Bytes({{10, 20, 30, 7}, {40, 50, 60, 255}}));
     EXPECT_EQ(bytes("map_Kd small.png\nmap_d mask.png\n"), Bytes({{100, 100, 100, 0}, {100, 100, 100, 200}}));
     EXPECT_EQ(bytes("map_d mask.png\n"), Bytes({{255, 255, 255, 0}, {255, 255, 255, 200}}));
-    // an image's own alpha is no mask
+    // The alpha of map_Kd itself is not a mask.
     EXPECT_EQ(load("map_Kd cut.png\n").materials[0].alphaMode, AlphaMode::opaque);
 }
 

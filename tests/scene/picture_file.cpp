@@ -32,7 +32,7 @@ std::string chunk(const std::string& type, const std::string& body) {
     return bigEndian(static_cast<std::uint32_t>(body.size())) + type + body + bigEndian(crc(type + body));
 }
 
-// One stored block of zlib's: at most 65535 bytes.
+// Returns an uncompressed block in zlib's format, at most 65535 bytes.
 std::string stored(const std::string& bytes) {
     const auto size = static_cast<std::uint16_t>(bytes.size());
     const auto low = [](std::uint16_t word) { return static_cast<char>(word & 0xff); };

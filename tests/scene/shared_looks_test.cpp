@@ -1,5 +1,4 @@
-// What other people's files look like: materials, textures, lights and poses, as their JSON and their
-// descriptions say.
+// Materials, textures, lights and poses of other people's files, as their JSON and their descriptions state.
 #include "fixtures/shared_scenes.h"
 #include "metamarch/scene/import.h"
 
@@ -31,7 +30,7 @@ TEST_F(SharedLooks, TexturesAndImagesInUse) {
         return;
     const std::map<std::string, std::pair<std::size_t, std::size_t>> counts = {
         {"BoxTextured.glb", {1, 1}},
-        {"DamagedHelmet.glb", {4, 4}}, // five, but for the occlusion map
+        {"DamagedHelmet.glb", {4, 4}}, // five with the occlusion map, which is ignored
         {"MultiUVTest.glb", {2, 2}},
         {"TextureSettingsTest.glb", {9, 3}},
         {"TextureTransformMultiTest.glb", {25, 4}},
@@ -127,8 +126,8 @@ TEST_F(SharedLooks, UvSetsAndColors) {
     EXPECT_EQ(load("BoxVertexColors.glb").colors.size(), 24u);
 }
 
-// Its arrow, rotated by 22.5 degrees, must point to the green marker below and to the left of the centre: the
-// point of the arrow, (0.85, 0.85) in its picture, is seen where the look-up arrives there.
+// The arrow, rotated by 22.5 degrees, must point to the green marker below and to the left of the centre. The
+// arrow's tip, (0.85, 0.85) in its image, is visible where the look-up maps to it.
 TEST_F(SharedLooks, RotatedArrowPointsToTheGreenMarker) {
     if (!folder)
         return;
@@ -139,13 +138,13 @@ TEST_F(SharedLooks, RotatedArrowPointsToTheGreenMarker) {
     });
     ASSERT_NE(rotated, scene.materials.end());
     const glm::vec2 down = rotated->baseColorTexture.transform * glm::vec3(0.4f, 1.0f, 1.0f);
-    EXPECT_NEAR(down.x, down.y, 0.05f); // on the diagonal, which the arrow follows
+    EXPECT_NEAR(down.x, down.y, 0.05f); // on the diagonal, like the arrow
 }
 
 TEST_F(SharedLooks, MorphAtATime) {
     if (!folder)
         return;
-    // weights 0, 0 to 0, 1 to 1, 1 to 1, 0 to 0, 0, one second each
+    // The weights go from 0, 0 to 0, 1 to 1, 1 to 1, 0 to 0, 0, one second each.
     const auto third = [&](double seconds) {
         return load("SimpleMorph/SimpleMorph.gltf", {.time = seconds}).positions[2];
     };
@@ -159,7 +158,7 @@ TEST_F(SharedLooks, MorphAtATime) {
 TEST_F(SharedLooks, SkinAtATime) {
     if (!folder)
         return;
-    // at one second the upper joint, at (0, 1, 0), has turned to the left by 90 degrees
+    // At one second the upper joint, at (0, 1, 0), is rotated to the left by 90 degrees.
     const Scene rest = load("SimpleSkin/SimpleSkin.gltf");
     const Scene bent = load("SimpleSkin/SimpleSkin.gltf", {.time = 1.0});
     for (std::size_t i = 0; i < rest.positions.size(); ++i) {
@@ -172,9 +171,9 @@ TEST_F(SharedLooks, SkinAtATime) {
     }
     const Bounds still = boundsOf(load("CesiumMan.glb"));
     const Bounds walking = boundsOf(load("CesiumMan.glb", {.time = 1.0}));
-    EXPECT_GT(still.hi.y, 1.4f); // he stands upright, 1.5 m tall
+    EXPECT_GT(still.hi.y, 1.4f); // he stands upright and is 1.5 m tall
     EXPECT_LT(std::abs(still.hi.y - walking.hi.y), 0.1f);
-    EXPECT_GT(glm::distance(still.hi, walking.hi), 0.1f); // and has let down his arms
+    EXPECT_GT(glm::distance(still.hi, walking.hi), 0.1f); // and has lowered his arms
 }
 
 TEST_F(SharedLooks, CompressedDuckIsTheDuck) {
@@ -184,7 +183,7 @@ TEST_F(SharedLooks, CompressedDuckIsTheDuck) {
     const glm::vec3 size = plain.hi - plain.lo;
     for (const char* name : {"Duck-Draco/Duck.gltf", "Duck-Quantized/Duck.gltf"}) {
         const Bounds bounds = boundsOf(load(name));
-        // 11 bits and more
+        // Positions are quantised to 11 bits or more.
         EXPECT_LT(glm::distance(bounds.lo, plain.lo), glm::length(size) / 1024) << name;
         EXPECT_LT(glm::distance(bounds.hi, plain.hi), glm::length(size) / 1024) << name;
     }

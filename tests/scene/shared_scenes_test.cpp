@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const Counts& counts) {
     return out << counts.vertices << " vertices, " << counts.triangles << " triangles";
 }
 
-// "| gltf/Box.glb | 24 | 12 | CC-BY-4.0 |"
+// Reads table rows such as "| gltf/Box.glb | 24 | 12 | CC-BY-4.0 |".
 std::map<std::string, Counts> table(const std::filesystem::path& folder) {
     std::map<std::string, Counts> rows;
     std::ifstream readme(folder / "README.md");
@@ -44,18 +44,18 @@ std::map<std::string, Counts> table(const std::filesystem::path& folder) {
     return trimmed;
 }
 
-// Where the scene rightly has other counts than the file.
+// Scenes whose counts rightly differ from the file's.
 const std::map<std::string, Counts> kCountsOfScene = {
-    // meshes that several nodes place are flattened
+    // Meshes placed by several nodes are flattened.
     {"gltf/AttenuationTest.glb", {584, 292}},
     {"gltf/NegativeScaleTest.glb", {3958, 7724}},
     {"gltf/TextureTransformTest/TextureTransformTest.gltf", {48, 24}},
-    // EXT_mesh_gpu_instancing, 125 times
+    // EXT_mesh_gpu_instancing with 125 instances.
     {"gltf/SimpleInstancing.glb", {3000, 1500}},
-    // only the default scene
+    // Only the default scene is loaded.
     {"gltf/MultipleScenes/MultipleScenes.gltf", {4, 2}},
     {"gltf/embedded/MultipleScenes.gltf", {4, 2}},
-    // vertices of points and lines are not kept
+    // The vertices of points and lines are dropped.
     {"gltf/embedded/MeshPrimitiveModes.gltf", {21, 16}},
     {"gltf/primitive_modes/Mesh_PrimitiveMode_00.gltf", {0, 0}},
     {"gltf/primitive_modes/Mesh_PrimitiveMode_01.gltf", {0, 0}},
@@ -65,15 +65,15 @@ const std::map<std::string, Counts> kCountsOfScene = {
     {"gltf/primitive_modes/Mesh_PrimitiveMode_08.gltf", {0, 0}},
     {"gltf/primitive_modes/Mesh_PrimitiveMode_09.gltf", {0, 0}},
     {"gltf/primitive_modes/Mesh_PrimitiveMode_10.gltf", {0, 0}},
-    // Assimp gives an OBJ's vertices once per corner; equal ones are joined again, mesh by mesh. So vertices
-    // that the
-    // file itself has twice become one, those of two groups become two, and unused ones are gone.
+    // Assimp splits an OBJ's vertices into one per corner; equal ones are joined again, mesh by mesh. So
+    // vertices that the file contains twice become one, vertices of two groups become two, and unused ones
+    // are dropped.
     {"mesh/sponza_66k.obj", {47131, 66450}},
     {"mesh/teapot.obj", {3241, 6320}},
     {"paper/cow_viewpoint.obj", {4847, 5804}},
 };
 
-// What the line says that refuses the others.
+// The text that the error for each refused file must contain.
 const std::map<std::string, std::string> kRefused = {
     {"gltf/malformed/IndexOutOfRange/AllIndicesOutOfRange.gltf",
      "mesh 'Mesh' primitive 0: index 65535 is out of range, there are 24 vertices"},

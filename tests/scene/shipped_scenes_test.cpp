@@ -10,7 +10,7 @@ Scene load(const std::string& name) {
     return loadScene(std::filesystem::path(METAMARCH_SOURCE_DIR) / "scenes" / name);
 }
 
-// Triangles whose front and whose vertices' normals are on different sides.
+// Returns the number of triangles whose vertex normals point to the back side.
 std::size_t contradictions(const Scene& scene) {
     std::size_t count = 0;
     for (const glm::uvec3& corner : scene.triangles) {
@@ -36,7 +36,7 @@ TEST(ShippedScenes, Cornell) {
     EXPECT_LT(glm::distance(bounds.hi - bounds.lo, glm::vec3(0.556f, 0.5488f, 0.5592f)), 1e-4f);
 }
 
-// The room's faces show their fronts to its middle, the blocks' hide theirs from it.
+// The room's faces show their fronts to its centre, the blocks' faces their backs.
 TEST(ShippedScenes, CornellFronts) {
     const Scene scene = load("cornell.glb");
     std::vector<Bounds> boxes(scene.meshes.size(), {glm::vec3(1e9f), glm::vec3(-1e9f)});

@@ -1,4 +1,4 @@
-// The sky that lights scenes without light: plausible, and free of numbers that are none.
+// The sky for scenes without light: plausible values, and no NaN.
 #include "metamarch/shading/light/sky.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,12 @@ Sky skyAt(float elevation, float azimuth = 0.0f, float haze = 1.0f) {
     return makeSky({.sunElevation = elevation, .sunAzimuth = azimuth, .haze = haze, .width = kWidth});
 }
 
-// On a surface that faces the sun.
+// Returns the irradiance of a surface that faces the sun.
 glm::vec3 irradianceOf(const LightRecord& sun) {
     return sun.strength * static_cast<float>(M_PI * sun.scale * (2.0 - sun.scale));
 }
 
-// On level ground.
+// Returns the irradiance of level ground.
 glm::dvec3 skyIrradiance(const Environment& map) {
     glm::dvec3 sum(0.0);
     for (std::uint32_t y = 0; y < map.height / 2; ++y) {
@@ -60,12 +60,11 @@ TEST(Sky, hasTheSunWhereItWasAskedFor) {
     EXPECT_NEAR(sun.direction.x, std::cos(0.5) * std::cos(1.2), 1e-6);
     EXPECT_NEAR(sun.direction.y, std::sin(0.5), 1e-6);
     EXPECT_NEAR(sun.direction.z, std::cos(0.5) * std::sin(1.2), 1e-6);
-    // 0.533 degrees across.
+    // The sun's diameter is 0.533 degrees.
     EXPECT_NEAR(std::acos(1.0 - double{sun.scale}) * 180.0 / M_PI, 0.2665, 1e-4);
 }
 
-// ASTM G173 gives 900 of 1348 W/m^2 to the sun at an elevation of 42 degrees, a clear day's sky about a
-// tenth.
+// By ASTM G173, the sun at an elevation of 42 degrees gives 900 of 1348 W/m^2, and a clear sky about a tenth.
 TEST(Sky, passesMostSunlightAtNoon) {
     const Sky sky = skyAt(static_cast<float>(M_PI / 2.0));
     const glm::vec3 sun = irradianceOf(sky.sun) / static_cast<float>(M_PI);
@@ -76,10 +75,10 @@ TEST(Sky, passesMostSunlightAtNoon) {
     const glm::dvec3 scattered = skyIrradiance(sky.environment) / M_PI;
     EXPECT_GT(scattered.g, 0.03);
     EXPECT_LT(scattered.g, 0.3);
-    EXPECT_LT(sun.g + scattered.g, 1.0); // no more light than came
+    EXPECT_LT(sun.g + scattered.g, 1.0); // not more than the incident light
 }
 
-// The haze at the horizon may be brighter still: it is looked for above.
+// The haze at the horizon may be brighter than the sky near the sun, so only the sky above it is searched.
 TEST(Sky, isBlueAboveAndBrightestTowardsTheSun) {
     const float azimuth = 0.7f;
     const Environment map = skyAt(0.6f, azimuth).environment;

@@ -15,7 +15,7 @@ using Corners = std::vector<TangentCorner>;
 
 const glm::vec3 kUp{0, 0, 1};
 
-// In the plane z = 0.
+// Returns a corner in the plane z = 0.
 TangentCorner corner(float x, float y, float s, float t) { return {{x, y, 0}, kUp, {s, t}}; }
 
 void expectTangent(const glm::vec4& found, const glm::vec3& direction, float sign) {
@@ -28,7 +28,7 @@ TEST(TangentSpace, FollowsS) {
     for (const glm::vec4& tangent :
          mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1)}))
         expectTangent(tangent, {1, 0, 0}, 1.0f);
-    // a quarter turn in texture space: s grows with y
+    // A quarter turn in texture space: s grows with y.
     for (const glm::vec4& tangent :
          mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 0, -1), corner(0, 1, 1, 0)}))
         expectTangent(tangent, {0, 1, 0}, 1.0f);
@@ -40,8 +40,8 @@ TEST(TangentSpace, MirroredTextureHasTheOtherSign) {
         expectTangent(tangent, {-1, 0, 0}, -1.0f);
 }
 
-// Two triangles at the corner (0,0), with angles of 90 and 45 degrees, whose tangents are (1,0) and
-// (1,1) / sqrt 2.
+// Two triangles at the corner (0,0), with angles of 90 and 45 degrees, whose tangents are (1,0) and (1,1) /
+// sqrt 2.
 TEST(TangentSpace, MeanIsWeightedByAngles) {
     const Corners corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1),
                              corner(0, 0, 0, 0), corner(0, 1, 0, 1), corner(-1, 1, -1, 2)};
@@ -56,7 +56,7 @@ TEST(TangentSpace, MeanIsWeightedByAngles) {
 }
 
 TEST(TangentSpace, MirrorSeamKeepsItsSidesApart) {
-    // texture space is folded at x = 0
+    // Texture space is folded at x = 0.
     const Corners corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1),
                              corner(0, 0, 0, 0), corner(0, 1, 0, 1), corner(-1, 0, 1, 0)};
     const std::vector<glm::vec4> tangents = mikkTangents(corners);
@@ -66,7 +66,7 @@ TEST(TangentSpace, MirrorSeamKeepsItsSidesApart) {
         expectTangent(tangents[i], {-1, 0, 0}, -1.0f);
 }
 
-// Across a corner alone, without a common edge, and across an edge of different normals nothing is averaged.
+// Triangles that share only a corner, or an edge with different normals, are not averaged.
 TEST(TangentSpace, OnlyEdgesOfEqualCornersConnect) {
     const float diagonal = std::sqrt(0.5f);
     Corners corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0),   corner(1, 1, 1, 1),
@@ -89,7 +89,7 @@ TEST(TangentSpace, TangentLiesInThePlaneOfTheNormal) {
     expectTangent(mikkTangents(corners)[0], {0.8f, 0, -0.6f}, 1.0f);
 }
 
-// The second triangle has no area in texture space, the third none at all.
+// The second triangle has no area in texture space, the third has no area at all.
 TEST(TangentSpace, DegenerateTrianglesTakeFromTheirNeighbours) {
     const Corners corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1),
                              corner(0, 0, 0, 0), corner(0, 1, 0, 1), corner(-1, 0, 0, 0),
@@ -97,7 +97,7 @@ TEST(TangentSpace, DegenerateTrianglesTakeFromTheirNeighbours) {
     const std::vector<glm::vec4> tangents = mikkTangents(corners);
     expectTangent(tangents[3], {1, 0, 0}, 1.0f);
     expectTangent(tangents[4], {1, 0, 0}, 1.0f);
-    expectTangent(tangents[5], {1, 0, 0}, 1.0f); // whatever: nothing else is there
+    expectTangent(tangents[5], {1, 0, 0}, 1.0f); // arbitrary, because the corner has no other triangle
     expectTangent(tangents[6], {1, 0, 0}, 1.0f);
     expectTangent(tangents[8], {1, 0, 0}, 1.0f);
 }
@@ -120,7 +120,7 @@ TEST(TangentSpace, GarbageGivesFiniteTangents) {
     }
 }
 
-// A square folded in texture space along its diagonal, in v downwards, with a normal map and no tangents.
+// A square folded along its diagonal in texture space, with v downwards, a normal map and no tangents.
 class NormalMappedFile : public GltfFile {
   public:
     NormalMappedFile() {
@@ -139,7 +139,7 @@ class NormalMappedFile : public GltfFile {
 TEST(SceneTangents, ComputedWhereTheFileHasNone) {
     NormalMappedFile file;
     const Scene scene = file.load();
-    // The two vertices on the fold are split, a copy of each for one of its sides.
+    // The two vertices on the fold are split: one copy for each side.
     ASSERT_EQ(scene.positions.size(), 6u);
     EXPECT_EQ(scene.normals.size(), 6u);
     ASSERT_EQ(scene.tangents.size(), 6u);
@@ -197,7 +197,7 @@ TEST(SceneTangents, FirstPrimitiveThatHasThemPadsTheOthers) {
     EXPECT_EQ(scene.tangents[10], glm::vec4(0));
 }
 
-// What exporters that use Mikkelsen's own code wrote, corner by corner.
+// The tangents that exporters with Mikkelsen's own code wrote, corner by corner.
 TEST(SharedScenes, TangentsAreThoseOfOtherPrograms) {
     const auto folder = tests::sharedScenes();
     if (!folder)
@@ -220,7 +220,7 @@ TEST(SharedScenes, TangentsAreThoseOfOtherPrograms) {
             const std::vector<glm::vec4> found = mikkTangents(corners);
             std::size_t different = 0;
             for (std::size_t i = 0; i < found.size(); ++i) {
-                // 0.8 degrees: the files' own rounding, and triangles as thin as a hair.
+                // 0.8 degrees, for the files' own rounding and for very thin triangles.
                 const bool same = glm::dot(glm::vec3(found[i]), glm::vec3(expected[i])) > 0.9999f &&
                                   found[i].w == expected[i].w;
                 different += same || expected[i] == glm::vec4(0) ? 0 : 1;

@@ -1,4 +1,4 @@
-// Textures in the layout of shaders: filters, levels, and where they lie.
+// Textures in the shaders' layout: filters, levels and storage.
 #include "fixtures/expect_error.h"
 #include "metamarch/shading/texture/texel_store.h"
 #include "metamarch/shading/texture/texel_words.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kRoom = 1u << 20u;
 
-// One image of `side` * `side` texels, all different, under one texture.
+// Returns a scene with one image of `side` * `side` different texels and one texture of it.
 Scene sceneOf(const std::uint32_t side, const TextureFilter mag, const TextureFilter min) {
     Scene scene;
     TextureImage image;
@@ -35,7 +35,7 @@ ShadingScene stored(const Scene& scene, const TextureRef& ref, const std::uint64
 
 struct Mode {
     TextureFilter filter;
-    std::uint32_t flags; // minified
+    std::uint32_t flags; // flags of the minification filter
     bool hasLevels;
 };
 
@@ -56,7 +56,7 @@ TEST(TexelStore, hasEveryFilterOfGltf) {
             const bool isMinifiedNearest = (mode.flags & kTextureMinifiedNearest) != 0;
             const std::uint32_t levels = mode.hasLevels ? 3u << kTextureLastLevelShift : 0u;
             EXPECT_EQ(target.textures[0].use.flags, mode.flags | (isNearest ? kTextureNearest : 0u) | levels);
-            // Who does not ask how large a texel is seen does not pay for it.
+            // Textures that do not need the size of the footprint must not enable the feature.
             const bool isAsked = mode.hasLevels || isNearest != isMinifiedNearest;
             EXPECT_EQ((target.features & kFeatureMipmaps) != 0, isAsked);
             EXPECT_EQ(target.textures.size(), mode.hasLevels ? 4u : 1u);
@@ -109,12 +109,12 @@ TEST(TexelStore, countsTexelsOfTheTransformedSquare) {
         return stored(scene, {.texture = 0, .transform = transform}).textures[0].use.unitLevel;
     };
     EXPECT_EQ(unitLevel({1, 0, 0, 1, 0, 0}), 3.0f);
-    EXPECT_EQ(unitLevel({0, 4, -4, 0, 7, 8}), 5.0f);    // a quarter of a turn, four times as often
-    EXPECT_EQ(unitLevel({-2, 0, 0, 0.5f, 1, 1}), 3.0f); // mirrored; the area is the same
-    EXPECT_LT(unitLevel({1, 1, 1, 1, 0, 0}), -40.0f);   // a line
+    EXPECT_EQ(unitLevel({0, 4, -4, 0, 7, 8}), 5.0f);    // a quarter turn, four repetitions
+    EXPECT_EQ(unitLevel({-2, 0, 0, 0.5f, 1, 1}), 3.0f); // mirrored, which keeps the area
+    EXPECT_LT(unitLevel({1, 1, 1, 1, 0, 0}), -40.0f);   // collapsed to a line
 }
 
-// Uses share texels and levels, but for what means something else in the mean.
+// References share texels and levels unless they average them differently.
 TEST(TexelStore, storesWhatIsAlikeOnce) {
     const Scene scene = sceneOf(4, TextureFilter::linear, TextureFilter::linearMipmapLinear);
     ShadingScene target;
@@ -141,7 +141,7 @@ TEST(TexelStore, refusesNoSceneForItsLevels) {
     Scene scene = sceneOf(8, TextureFilter::linear, TextureFilter::nearestMipmapLinear);
     const ShadingScene full = stored(scene, {0}, 64 * 4);
     EXPECT_EQ(full.textures[0].use.flags >> kTextureLastLevelShift, 3u);
-    EXPECT_EQ(full.textures[1].level.format, 1u << kTexelsChunkShift); // the next chunk has room
+    EXPECT_EQ(full.textures[1].level.format, 1u << kTexelsChunkShift); // in the next chunk, which has room
     EXPECT_EQ(full.textures[1].level.firstWord, 0u);
 
     for (std::uint32_t i = 1; i < kTexelChunks; ++i) {

@@ -1,4 +1,4 @@
-// Pictures of every format to texels, whole and broken.
+// Images of every format, intact and broken.
 #include "metamarch/scene/texture/texture_decoder.h"
 #include "scene/picture_file.h"
 
@@ -26,7 +26,7 @@ TEST(TextureDecoder, ChannelsBecomeRgba) {
     EXPECT_EQ(decode(pngFile(2, 1, 1, {10, 20})).image.bytes, Bytes({{10, 10, 10, 255}, {20, 20, 20, 255}}));
     EXPECT_EQ(decode(pngFile(1, 1, 2, {10, 20})).image.bytes, Bytes({{10, 10, 10, 20}}));
     EXPECT_EQ(decode(pngFile(1, 1, 3, {10, 20, 30})).image.bytes, Bytes({{10, 20, 30, 255}}));
-    // colours under a small alpha stay what they are
+    // Colours under a small alpha are unchanged.
     EXPECT_EQ(decode(pngFile(1, 1, 4, {10, 20, 30, 0})).image.bytes, Bytes({{10, 20, 30, 0}}));
 }
 
@@ -80,7 +80,7 @@ TEST(TextureDecoder, TargaIsKnownByItsEnding) {
     EXPECT_EQ(failure(file), "is no picture of a known format");
 }
 
-// Cut off anywhere: nothing but a failure, and nothing on stderr.
+// An image cut off anywhere gives a failure and nothing else, nor any output on stderr.
 TEST(TextureDecoder, CutOffAnywhere) {
     testing::internal::CaptureStderr();
     const std::vector<std::string> files = {
@@ -92,7 +92,7 @@ TEST(TextureDecoder, CutOffAnywhere) {
 #endif
     };
     for (const std::string& file : files) {
-        // the last marker of a JPEG and the padding of a WebP carry nothing
+        // The last marker of a JPEG and the padding of a WebP carry no data.
         for (std::size_t size = 0; size + 4 < file.size(); ++size)
             EXPECT_NE(failure(file.substr(0, size)), "nothing failed") << size << " of " << file.size();
     }
@@ -105,9 +105,9 @@ TEST(TextureDecoder, WrongCheckSum) {
     EXPECT_EQ(failure(file), "has a wrong check sum");
 }
 
-// A header that promises much more than there is costs no memory.
+// A header that claims a large image without the data costs no memory.
 TEST(TextureDecoder, SizesOfHostileHeaders) {
-    testing::internal::CaptureStderr(); // libpng has its own say where all chunks are whole
+    testing::internal::CaptureStderr(); // libpng prints complaints if all chunks are intact
     EXPECT_EQ(failure(pngFile(70000, 70000, 1, {})),
               "has 70000 x 70000 texels, more than the limit of 268435456");
     EXPECT_NE(failure(pngFile(16000, 16000, 1, {})), "nothing failed");

@@ -1,4 +1,4 @@
-// Which camera a picture is taken with, and where its rays go.
+// The camera of a picture, and its rays.
 #include "fixtures/expect_error.h"
 #include "metamarch/shading/view.h"
 
@@ -12,7 +12,7 @@ namespace metamarch::tests {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr double kRounding = 1e-6; // some ulps of a number near 1
+constexpr double kRounding = 1e-6; // a few ulps of a number near 1
 
 SceneCamera named(const char* name) {
     SceneCamera camera;
@@ -84,7 +84,7 @@ TEST(LookAt, refusesUpAlongTheView) {
     EXPECT_NO_THROW(lookAt(glm::vec3(0.0f), view, view + glm::vec3(1e-3f, 0, 0)));
 }
 
-// Where `point` is in the picture: -1..1 from left to right and from top to bottom.
+// Projects `point` to the picture: -1..1 from left to right and from top to bottom.
 glm::dvec2 project(const Camera& camera, const glm::vec3 point) {
     const glm::dvec3 offset = glm::dvec3(point) - glm::dvec3(camera.eye);
     const glm::dvec3 right(camera.dirRight);
@@ -161,7 +161,7 @@ TEST(FrameBounds, takesASinglePoint) {
     }
 }
 
-// Odd numbers of pixels, so that one is in the centre.
+// Odd numbers of pixels, so that one pixel is in the centre.
 constexpr std::uint32_t kWidth = 321;
 constexpr std::uint32_t kHeight = 239;
 constexpr std::uint32_t kCenterX = kWidth / 2;
@@ -192,7 +192,7 @@ TEST(PerspectiveCamera, hasTheFieldOfViewAskedFor) {
     const SceneCamera view = slanted();
     const Camera camera = makeCamera(view, kWidth, kHeight);
     const glm::vec3 right = glm::cross(view.forward, view.up);
-    // Rays pass through the centres of pixels: half a pixel is missing at each edge.
+    // Rays pass through pixel centres, so half a pixel is missing at each edge.
     const double halfHeight = std::tan(0.5 * view.verticalFov);
     const CameraRay top = cameraRay(camera, kCenterX, 0);
     EXPECT_NEAR(glm::dot(top.dir, view.up) / glm::dot(top.dir, view.forward),

@@ -1,4 +1,4 @@
-// Tables that draw by weight, for lists and for environments.
+// Weighted tables for lists of lights and for environments.
 #include "metamarch/shading/light/weighted_table.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace metamarch {
 namespace {
 
-// The entry that the table draws for u, searched from its guide.
+// Returns the entry that the table draws for u, searched from its guide.
 std::size_t drawnBy(std::span<const TableEntry> table, float u) {
     std::size_t index = table[guideSlot(u, static_cast<uint>(table.size()))].guide;
     while (table[index].upTo <= u) {
@@ -19,7 +19,7 @@ std::size_t drawnBy(std::span<const TableEntry> table, float u) {
     return index;
 }
 
-// Ends of entries are rounded to floats: by 2^-25 each.
+// The ends of entries are rounded to floats, by 2^-25 each.
 void expectDrawnBy(const std::vector<float>& weights) {
     const std::vector<TableEntry> table = makeWeightedTable(weights);
     ASSERT_EQ(table.size(), weights.size());
@@ -38,7 +38,7 @@ void expectDrawnBy(const std::vector<float>& weights) {
     EXPECT_NEAR(all, 1.0, 1e-6);
     std::mt19937 random(13);
     for (int i = 0; i < 2000; ++i) {
-        // Also the numbers at the borders of guide slots and entries.
+        // Includes the numbers at the borders of guide slots and entries.
         const std::size_t any = random() % weights.size();
         const float slot = static_cast<float>(any) / static_cast<float>(weights.size());
         const float even = static_cast<float>(random() >> 8u) * 0x1p-24f;
@@ -126,7 +126,7 @@ TEST(EnvironmentTables, drawTheWholeSphereAlikeWhereTheLightIs) {
     }
 }
 
-// The bilinear tent around a texel reaches into all eight neighbours, over the seam too.
+// The bilinear tent of a texel reaches all eight neighbours, across the seam too.
 TEST(EnvironmentTables, spreadATexelOverItsNeighbours) {
     Environment map = flat(8, 8, 0.0f);
     map.texels[3 * 8 + 0] = glm::vec3(1.0f);
@@ -155,7 +155,7 @@ TEST(EnvironmentTables, takeMapsOfOneTexelAndOfNoLight) {
     EXPECT_EQ(dark.columns[5].probability, 0.25f);
 }
 
-// Overflow of the luminance of 1e38, or of the sum of a row, would draw nothing.
+// If the luminance of 1e38 or the sum of a row overflowed, nothing could be drawn.
 TEST(EnvironmentTables, takeTheBrightestLightThereIs) {
     const EnvironmentTables tables = makeEnvironmentTables(flat(512, 4, 3e38f));
     double all = 0.0;

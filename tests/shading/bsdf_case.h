@@ -1,4 +1,4 @@
-// One evaluation and one sample of a BSDF, asked of both sides.
+// One evaluation and one sample of a BSDF, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_BSDF_CASE_H
 #define METAMARCH_TESTS_SHADING_BSDF_CASE_H
 #include "metamarch/shared/bsdf.h"

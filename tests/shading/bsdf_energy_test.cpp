@@ -1,4 +1,4 @@
-// White furnaces: under light of 1 from everywhere a white surface looks 1, and nothing looks brighter.
+// White furnaces: under uniform light of radiance 1, a white surface has radiance 1, and no surface more.
 #include "looks.h"
 #include "metamarch/shared/sobol.h"
 #include "random_bsdf_case.h"
@@ -12,7 +12,7 @@ namespace metamarch {
 namespace {
 
 constexpr uint kSamples = 1u << 14;
-constexpr uint kFewSamples = 1u << 11; // where the bounds are wide
+constexpr uint kFewSamples = 1u << 11; // for wide bounds
 constexpr float kCosines[] = {1.0f, 0.8f, 0.5f, 0.2f, 0.05f};
 
 struct Draw {
@@ -25,8 +25,8 @@ Draw drawAt(const PixelSample& at, uint bounce) {
             sample2d(at, bounceDimension(bounce, kBounceDirection))};
 }
 
-// What the surface reflects and transmits of light of 1 from everywhere (of radiance 1 times the square of
-// the refractive index: the light of a closed room of one temperature).
+// Returns the light that the surface reflects and transmits in uniform light. The radiance is 1 times the
+// square of the refractive index, as in a closed room at uniform temperature.
 struct View {
     bool isBack = false;
     vec3 tangent{1.0f, 0.0f, 0.0f};
@@ -46,7 +46,7 @@ vec3 furnace(const SurfaceMaterial& material, float cosine, const View& view = {
     return vec3(sum / static_cast<double>(view.samples));
 }
 
-// The least and the greatest that any angle sees.
+// The smallest and the largest value over all angles.
 struct Extremes {
     float least = 1e30f;
     float greatest = 0.0f;
@@ -65,7 +65,7 @@ Extremes overAngles(const SurfaceMaterial& material, const View& view = {}) {
     return extremes;
 }
 
-// Over roughness 0 to 1, which `use` puts where it likes.
+// Tries roughness 0 to 1; `use` writes it to the material.
 template <class Use>
 Extremes overRoughness(SurfaceMaterial material, Use use, const View& view = {}) {
     Extremes extremes;
@@ -80,7 +80,7 @@ Extremes overRoughness(SurfaceMaterial material, Use use, const View& view = {})
 
 void setRoughness(SurfaceMaterial& material, float roughness) { material.roughness = roughness; }
 
-// The fits of albedo.h and 2^14 samples together.
+// Covers the fits of albedo.h and the noise of 2^14 samples.
 constexpr float kTolerance = 0.005f;
 
 void expectOne(const Extremes& extremes, float tolerance = kTolerance) {
@@ -142,8 +142,8 @@ TEST(BsdfFurnace, coatOverMetal) {
     expectOne(overRoughness(material, setRoughness), 2.0f * kTolerance); // two fits
 }
 
-// The albedo by which sheen darkens what lies below is rounded up by its error, at most 1.8 % of sheen's
-// share.
+// The albedo of the sheen, which darkens the layers below, is rounded up by its error, at most 1.8 % of the
+// sheen's share.
 TEST(BsdfFurnace, sheenTakesWhatItGivesBelow) {
     SurfaceMaterial material = plainMaterial();
     material.roughness = 0.5f;
@@ -154,7 +154,7 @@ TEST(BsdfFurnace, sheenTakesWhatItGivesBelow) {
     EXPECT_LT(extremes.greatest, 1.0f + kTolerance);
 }
 
-// Bounds as bsdf_model.h states them: where wo leans along the direction that is rougher, across it, and
+// The bounds are those that bsdf_model.h states. wo leans along the rougher direction, across it, and
 // between.
 TEST(BsdfFurnace, anisotropicMetal) {
     for (const vec3 tangent : {vec3(0.8f, 0.6f, 0.0f), vec3(-0.6f, 0.8f, 0.0f), vec3(0.2f, 1.0f, 0.0f)}) {
@@ -169,7 +169,7 @@ TEST(BsdfFurnace, anisotropicMetal) {
     }
 }
 
-// Within the errors of glassAlbedo; smooth glass is exact.
+// Holds within the errors of glassAlbedo; smooth glass is exact.
 TEST(BsdfFurnace, glassFromBothSides) {
     SurfaceMaterial material = plainMaterial();
     material.transmission = 1.0f;
@@ -184,8 +184,8 @@ TEST(BsdfFurnace, glassFromBothSides) {
     }
 }
 
-// Volumes that are glass in part, or whose Fresnel term `specular` changes, and anisotropic facets are
-// compensated for neighbours of theirs, and so may gain more.
+// The compensation is fitted to simpler materials. Volumes that are only partly glass, volumes whose Fresnel
+// term `specular` changes, and anisotropic facets may therefore gain more.
 TEST(BsdfFurnace, nothingGlows) {
     const std::vector<BsdfCase> cases = randomBsdfCases(150);
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -203,18 +203,19 @@ TEST(BsdfFurnace, nothingGlows) {
     }
 }
 
-// Single-scatter metal loses what the literature's tables say: E. Turquin 2019 and others give 0.31 at normal
-// incidence for alpha 1.
+// Single-scatter metal loses the energy that the literature tabulates: E. Turquin 2019 and others give 0.31
+// at normal incidence for alpha 1.
 TEST(BsdfFurnace, singleScatterLosesEnergyWhenRough) {
     SurfaceMaterial material = plainMaterial();
     material.metallic = 1.0f;
     material.flags = kSurfaceSingleScatter;
     EXPECT_NEAR(furnace(material, 1.0f).x, 0.307f, 0.003f);
-    // alpha 1, normal incidence: 1 - ln 2.
+    // The exact value for alpha 1 and normal incidence is 1 - ln 2.
     EXPECT_NEAR(furnace(material, 1.0f).x, 1.0f - std::log(2.0f), 0.002f);
 }
 
-// A ray through a ball of glass in light of 1 from everywhere: the squares of the refractive index cancel.
+// Traces a ray through a glass ball in uniform light of radiance 1; the squares of the refractive index
+// cancel.
 vec3 glassBall(const SurfaceMaterial& material, float offset) {
     constexpr uint kPaths = 4096;
     constexpr uint kMostBounces = 200;
@@ -250,7 +251,7 @@ TEST(BsdfFurnace, glassBallIsInvisible) {
         EXPECT_NEAR(glassBall(material, offset).x, 1.0f, 1e-4f) << offset;
         for (const float roughness : {0.3f, 0.6f}) {
             material.roughness = roughness;
-            // several bounces, each within the error of glassAlbedo
+            // Several bounces, each within the error of glassAlbedo.
             EXPECT_NEAR(glassBall(material, offset).x, 1.0f, 0.06f) << offset << ' ' << roughness;
         }
     }

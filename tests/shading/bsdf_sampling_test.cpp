@@ -1,4 +1,4 @@
-// Samples of the BSDF fall where their density says, and weigh what the BSDF says.
+// The BSDF's samples have the claimed density, and their weights agree with its values.
 #include "chi_square.h"
 #include "looks.h"
 #include "metamarch/shared/bsdf.h"
@@ -16,7 +16,7 @@ constexpr int kSamples = 60'000;
 
 class BsdfSampling : public testing::TestWithParam<Look> {};
 
-// Directions from steep to grazing and to the back; normals that agree and one that does not.
+// Directions from steep to grazing and from the back; with normals that agree and one that does not.
 constexpr float kCosines[] = {1.0f, 0.7f, 0.25f, -0.6f};
 constexpr float kTilts[] = {0.0f, 0.5f};
 constexpr int kTests = std::size(kCosines) * std::size(kTilts) * kLooks;
@@ -58,7 +58,7 @@ TEST_P(BsdfSampling, weightIsValueOverDensity) {
             }
             const BsdfValue found = evalBsdf(bsdf, drawn.wi);
             if (drawn.weight == vec3(0.0f)) {
-                continue; // lost, or nothing is seen from there
+                continue; // lost, or the surface is invisible from there
             }
             ASSERT_EQ(drawn.pdf, found.pdf);
             ASSERT_EQ(drawn.weight, found.value / found.pdf);
@@ -70,7 +70,7 @@ TEST_P(BsdfSampling, weightIsValueOverDensity) {
 
 INSTANTIATE_TEST_SUITE_P(Looks, BsdfSampling, testing::ValuesIn(looks()), nameOf);
 
-// A delta's weight times its probability is the lobe; its direction is the mirror's.
+// A delta's weight times its probability is the lobe's value; its direction is the mirror direction.
 TEST(BsdfDelta, mirrorReflectsAtTheNormal) {
     SurfaceMaterial material = plainMaterial();
     material.metallic = 1.0f;
@@ -85,7 +85,7 @@ TEST(BsdfDelta, mirrorReflectsAtTheNormal) {
     EXPECT_NEAR(drawn.wi.y, -wo.y, 1e-6f);
     EXPECT_NEAR(drawn.wi.z, wo.z, 1e-6f);
     EXPECT_NEAR(drawn.weight.x, 0.5f + 0.5f * std::pow(0.4f, 5.0f), 1e-6f);
-    EXPECT_EQ(evalBsdf(bsdf, drawn.wi).value, vec3(0.0f)); // only the sampler sees it
+    EXPECT_EQ(evalBsdf(bsdf, drawn.wi).value, vec3(0.0f)); // only the sampler can find it
 }
 
 TEST(BsdfDelta, thinGlassLetsTheRayStraightThrough) {
@@ -99,7 +99,8 @@ TEST(BsdfDelta, thinGlassLetsTheRayStraightThrough) {
     EXPECT_EQ(drawn.flags, kSampleDelta | kSampleTransmitted);
     EXPECT_NEAR(dotProduct(drawn.wi, wo), -1.0f, 1e-6f);
     EXPECT_EQ(drawn.radianceScale, 1.0f);
-    // 0.96 * color, at the probability of passing: what luminance passes of the whole.
+    // 0.96 * color, divided by the probability of transmission: the fraction of the luminance that is
+    // transmitted.
     const float passing = 0.96f * luminance(material.baseColor);
     EXPECT_NEAR(drawn.weight.y, 0.96f / (passing / (passing + 0.04f)), 1e-5f);
 }

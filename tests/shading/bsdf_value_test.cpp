@@ -1,4 +1,4 @@
-// The BSDF's values: glTF 2.0, Appendix B by hand, reciprocity, Snell and Fresnel.
+// The BSDF's values: glTF 2.0, Appendix B worked out by hand, reciprocity, Snell and Fresnel.
 #include "looks.h"
 #include "random_bsdf_case.h"
 
@@ -25,7 +25,7 @@ SurfaceMaterial singleScatter(float roughness, float metallic) {
     return material;
 }
 
-// All at normal incidence: D = 1 / (pi alpha^2), V = 1/4, F = F0.
+// At normal incidence D = 1 / (pi alpha^2), V = 1/4 and F = F0.
 TEST(AppendixB, normalIncidenceByHand) {
     const float pi = 3.14159265f;
     EXPECT_NEAR(valueOf(singleScatter(1.0f, 1.0f), kUp, kUp).value.x, 0.8f / (4.0f * pi), 1e-7f);
@@ -34,9 +34,9 @@ TEST(AppendixB, normalIncidenceByHand) {
                 1e-7f);
 }
 
-// wo and wi 60 degrees off the normal on opposite sides, alpha 1/4: H = N, D = 16 / pi,
-// V = 1 / (2 * 2 * 1/2 * sqrt(1/16 + 15/16 * 1/4)) = 1 / (2 * sqrt(19/64)) = 4 / sqrt(19), F = F0 + (1 - F0)
-// / 32.
+// wo and wi are 60 degrees off the normal on opposite sides, alpha is 1/4: H = N, D = 16 / pi,
+// V = 1 / (2 * 2 * 1/2 * sqrt(1/16 + 15/16 * 1/4)) = 1 / (2 * sqrt(19/64)) = 4 / sqrt(19),
+// F = F0 + (1 - F0) / 32.
 TEST(AppendixB, sixtyDegreesByHand) {
     const float sine = std::sqrt(0.75f);
     const vec3 wo(sine, 0.0f, 0.5f);
@@ -49,7 +49,7 @@ TEST(AppendixB, sixtyDegreesByHand) {
                 0.5f * (dielectric * specular + (1.0f - dielectric) * 0.8f / 3.14159265f), 1e-5f);
 }
 
-// The Appendix's own formulas, in double.
+// The formulas of Appendix B in double precision.
 double appendixB(const SurfaceMaterial& material, glm::dvec3 v, glm::dvec3 l, int channel) {
     const double alpha = static_cast<double>(material.roughness) * material.roughness;
     const glm::dvec3 h = glm::normalize(v + l);
@@ -94,7 +94,7 @@ TEST(AppendixB, clearcoatIsMixedByFresnelAtTheNormal) {
     material.coat = 0.75f;
     material.coatRoughness = 0.4f;
     SurfaceMaterial coat = singleScatter(0.4f, 1.0f);
-    coat.baseColor = vec3(1.0f); // Fresnel's term 1
+    coat.baseColor = vec3(1.0f); // makes the Fresnel term 1
     const float fresnel = 0.75f * (0.04f + 0.96f * std::pow(1.0f - wo.z, 5.0f));
     EXPECT_NEAR(valueOf(material, wo, wi).value.x,
                 base * (1.0f - fresnel) + valueOf(coat, wo, wi).value.x * fresnel, 1e-6f);
@@ -112,7 +112,7 @@ TEST(AppendixB, specularExtension) {
     EXPECT_NEAR(value.z, 0.96f * 0.2f / pi, 1e-7f);
 }
 
-// The BSDF without the cosine, per square of the refractive index on the side of `wi`.
+// Returns the BSDF without the cosine, divided by the square of the refractive index on the side of `wi`.
 vec3 symmetricPart(const SurfaceMaterial& material, vec3 wo, vec3 wi) {
     const float index = wi.z < 0.0f && (material.flags & kSurfaceVolume) != 0u ? material.ior : 1.0f;
     return valueOf(material, wo, wi).value / std::abs(wi.z) * (index * index);
@@ -129,7 +129,7 @@ TEST_P(Reciprocity, holds) {
         const vec3 there = symmetricPart(GetParam().material, a, b);
         const vec3 back = symmetricPart(GetParam().material, b, a);
         for (int channel = 0; channel < 3; ++channel) {
-            // Near the critical angle 1 - F has few bits; it is small there.
+            // Near the critical angle 1 - F is small and has few significant bits.
             ASSERT_NEAR(there[channel], back[channel], 1e-3f * there[channel] + 1e-5f) << i;
         }
         compared += there.x > 0.0f ? 1 : 0;
@@ -148,7 +148,7 @@ std::vector<Look> reciprocalLooks() {
             }
         }
     }
-    // Coat and film by themselves; layers below them are scaled for wo alone.
+    // Coat and film on their own, because the layers below them are scaled for wo only.
     Look coat{"coat", plainMaterial()};
     coat.material.baseColor = vec3(0.0f);
     coat.material.specular = 0.0f;
@@ -182,7 +182,7 @@ TEST(Fresnel, glassAtNormalIncidence) {
 }
 
 TEST(Fresnel, brewstersAngleAndTotalReflection) {
-    // At Brewster's angle the p-polarised half does not reflect: R = Rs / 2 = ((n^2 - 1) / (n^2 + 1))^2 / 2.
+    // At Brewster's angle p-polarised light is not reflected: R = Rs / 2 = ((n^2 - 1) / (n^2 + 1))^2 / 2.
     const float cosine = 1.0f / std::sqrt(1.0f + 1.5f * 1.5f);
     EXPECT_NEAR(refractionAt(cosine, 1.5f).reflectance, 0.5f * std::pow(1.25f / 3.25f, 2.0f), 1e-6f);
     const float critical = std::sqrt(1.0f - 1.0f / (1.5f * 1.5f));
@@ -207,7 +207,8 @@ TEST(Refraction, followsSnell) {
         EXPECT_EQ(drawn.flags, kSampleDelta | kSampleTransmitted);
         EXPECT_NEAR(drawn.wi.x, -sine / 1.5f, 1e-6f) << degrees;
         EXPECT_LT(drawn.wi.z, 0.0f);
-        EXPECT_NEAR(drawn.weight.x, drawn.radianceScale, 1e-6f); // (1 - F) / (1 - F), radiance over 1.5^2
+        // (1 - F) / (1 - F), radiance divided by 1.5^2.
+        EXPECT_NEAR(drawn.weight.x, drawn.radianceScale, 1e-6f);
         EXPECT_NEAR(drawn.radianceScale, 1.0f / 2.25f, 1e-6f);
     }
 }
@@ -252,7 +253,7 @@ TEST(BsdfValues, areFiniteAndNotNegative) {
         ASSERT_TRUE(found.samplePdf >= 0.0f && std::isfinite(found.samplePdf));
         ASSERT_NEAR(dotProduct(found.sampleWi, found.sampleWi), 1.0f, 1e-5f);
         if (found.pdf == 0.0f) {
-            ASSERT_EQ(found.value, vec3(0.0f)); // whatever is lit can be sampled
+            ASSERT_EQ(found.value, vec3(0.0f)); // every direction with a value can be sampled
         }
     }
 }

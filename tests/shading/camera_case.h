@@ -1,4 +1,4 @@
-// A drawn camera ray, asked of both sides.
+// A sampled camera ray, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #define METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #include "metamarch/shared/camera.h"

@@ -14,11 +14,11 @@ namespace {
 
 constexpr int kDraws = 200'000;
 constexpr std::size_t kCells = 64;
-constexpr int kTests = 7; // of chi-square in this file
+constexpr int kTests = 7; // number of chi-square tests in this file
 constexpr std::uint32_t kWidth = 64;
 constexpr std::uint32_t kHeight = 48;
 
-// The share of a filter's weight left of x, in pixels from the centre.
+// Returns the fraction of a filter's weight to the left of x, in pixels from the centre.
 using Distribution = double (*)(double x);
 
 double boxBelow(double x) { return std::clamp(x + 0.5, 0.0, 1.0); }
@@ -28,7 +28,7 @@ double tentBelow(double x) {
     return x < 0.0 ? inside * inside / 2.0 : 1.0 - inside * inside / 2.0;
 }
 
-// The integral of 0.35875 + 0.48829 cos + 0.14128 cos 2 + 0.01168 cos 3 over a circle of three pixels.
+// Integrates 0.35875 + 0.48829 cos + 0.14128 cos 2 + 0.01168 cos 3 over a circle of three pixels.
 double blackmanHarrisBelow(double x) {
     const double angle = 2.0 * M_PI * std::clamp(x / 3.0, -0.5, 0.5);
     const double waves = 0.48829 * std::sin(angle) + 0.14128 / 2.0 * std::sin(2.0 * angle) +
@@ -112,7 +112,7 @@ SceneCamera slanted(SceneCamera::Projection projection) {
 constexpr SceneCamera::Projection kProjections[] = {SceneCamera::Projection::perspective,
                                                     SceneCamera::Projection::orthographic};
 
-// Where the ray crosses the plane at this distance along the view.
+// Returns where the ray crosses the plane at this distance along the view.
 glm::dvec3 crossing(const Camera& camera, const CameraRay& ray, double distance) {
     const glm::dvec3 forward(camera.forward);
     const double ahead = distance - glm::dot(glm::dvec3(ray.origin) - glm::dvec3(camera.eye), forward);
@@ -144,7 +144,7 @@ TEST(Lens, allItsPointsSeeOnePointOfThePlaneInFocus) {
                 const glm::dvec3 halfWay = crossing(camera, ray, kFocus / 2);
                 nearer = std::max(nearer, glm::length(halfWay - crossing(camera, centre, kFocus / 2)));
             }
-            // The whole aperture, and half of it where half of the way is left.
+            // Rays start all over the aperture; halfway to the focus they are spread half as widely.
             EXPECT_NEAR(widest, kRadius, 0.01 * kRadius);
             EXPECT_NEAR(nearer, kRadius / 2, 0.01 * kRadius);
         }
@@ -202,7 +202,7 @@ TEST(Panorama, looksForwardInTheCentreAndUpAtTheTop) {
     EXPECT_NEAR(glm::length(towards(0.0f, 0.5f) + view.forward), 0.0f, 1e-6f);
     EXPECT_NEAR(glm::length(towards(0.5f, 0.0f) - view.up), 0.0f, 1e-6f);
     EXPECT_NEAR(glm::length(towards(0.5f, 1.0f) + view.up), 0.0f, 1e-6f);
-    // A filter reaches over the edges: into the other edge, and across the poles.
+    // A filter reaches beyond the edges: to the opposite edge, and across the poles.
     EXPECT_NEAR(glm::length(towards(-0.01f, 0.3f) - towards(0.99f, 0.3f)), 0.0f, 1e-6f);
     EXPECT_NEAR(glm::length(towards(0.2f, -0.01f) - towards(0.7f, 0.01f)), 0.0f, 1e-6f);
 }

@@ -25,7 +25,7 @@ struct Rectangle {
     double width;
 };
 
-// Gauss-Legendre, three points a side.
+// Gauss-Legendre quadrature with three points per side.
 double gauss(const std::function<double(glm::vec3)>& density, const Rectangle& r) {
     constexpr std::array kPlace = {0.112701665379258, 0.5, 0.887298334620742};
     constexpr std::array kWeight = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
@@ -39,7 +39,7 @@ double gauss(const std::function<double(glm::vec3)>& density, const Rectangle& r
     return sum * r.height * r.width;
 }
 
-// Halves each side until the four parts agree with the whole.
+// Halves each side until the sum of the four parts agrees with the whole.
 double integral(const std::function<double(glm::vec3)>& density, const Rectangle& r, double whole,
                 double tolerance, int depth) {
     std::array<Rectangle, 4> parts{};
@@ -60,7 +60,7 @@ double integral(const std::function<double(glm::vec3)>& density, const Rectangle
     return refined;
 }
 
-// Of the standard normal distribution.
+// Returns the upper tail of the standard normal distribution.
 double upperTail(double z) { return 0.5 * std::erfc(z / std::sqrt(2.0)); }
 
 } // namespace
@@ -96,7 +96,7 @@ double chiSquareProbability(const Histogram& histogram) {
     if (cells < 2) {
         return 1.0;
     }
-    // E. B. Wilson, M. M. Hilferty, "The Distribution of Chi-Square", 1931: the cube root is nearly normal.
+    // E. B. Wilson, M. M. Hilferty, "The Distribution of Chi-Square", 1931: its cube root is nearly normal.
     const double degrees = cells - 1;
     const double spread = 2.0 / (9.0 * degrees);
     return upperTail((std::cbrt(chiSquare / degrees) - (1.0 - spread)) / std::sqrt(spread));
@@ -121,7 +121,7 @@ Histogram sphereHistogram(int count, const std::function<DrawnDirection()>& draw
             const Rectangle cell{2.0 * static_cast<double>(row) / kRows - 1.0,
                                  (2.0 * static_cast<double>(column) / kColumns - 1.0) * M_PI, 2.0 / kRows,
                                  2.0 * M_PI / kColumns};
-            // A fifth of a sample per cell at most is left to the quadrature.
+            // The quadrature's error is at most a fifth of a sample per cell.
             const double part = integral(density, cell, gauss(density, cell), 0.2 / count, 9);
             histogram.expected[row * kColumns + column] = part * count;
             all += part;

@@ -1,4 +1,4 @@
-// Pearson's chi-square test of samples against the densities they claim.
+// Pearson's chi-square test of samples against their claimed densities.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -9,34 +9,34 @@
 
 namespace metamarch {
 
-// Two histograms of the same cells.
+// Two histograms over the same cells.
 struct Histogram {
     std::vector<double> observed;
     std::vector<double> expected;
 };
 
-// Nothing observed yet, `samples` expected evenly over all cells.
+// Returns a histogram without observations, with `samples` expected uniformly over all cells.
 Histogram evenHistogram(std::size_t cells, int samples);
 
-// Into which of that many equal parts of [0, 1] `place` falls; into the outermost from beyond.
+// Returns which of `parts` equal parts of [0, 1] contains `place`; values outside go to the outermost parts.
 std::size_t partOf(double place, std::size_t parts);
 
-// The probability that samples of the expected distribution differ as much as these do. Cells expected to
-// hold fewer than 5 are put together, smallest first.
+// Returns the probability that samples of the expected distribution differ at least as much as these. Cells
+// with fewer than 5 expected samples are merged, smallest first.
 double chiSquareProbability(const Histogram& histogram);
 
-// The significance that each of `tests` tests must have for all of them to fail by chance once in a thousand
-// runs (Sidak's correction).
+// Returns the significance that each of `tests` tests must have for any of them to fail by chance only once
+// in a thousand runs (Sidak's correction).
 double significanceOf(int tests);
 
-// What a sampler draws: a direction, or nothing (it was absorbed, or has no density).
+// A sampler's result: a direction, or nothing (absorbed, or without a density).
 struct DrawnDirection {
     bool isCounted;
     glm::vec3 direction;
 };
 
-// Samples of the sphere, `count` of them, against the density per solid angle: cells of equal cosine and
-// azimuth around the z axis, and one for what is not counted.
+// Compares `count` samples of the sphere with the density per solid angle. The cells have equal ranges of
+// cosine and azimuth around the z axis; one more cell holds the samples that are not counted.
 Histogram sphereHistogram(int count, const std::function<DrawnDirection()>& draw,
                           const std::function<double(glm::vec3)>& density);
 

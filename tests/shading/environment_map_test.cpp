@@ -1,4 +1,4 @@
-// The map's directions, and its texels drawn by their light.
+// The map's directions, and the sampling of its texels.
 #include "chi_square.h"
 #include "metamarch/shading/light/weighted_table.h"
 #include "metamarch/shared/scene_light.h"
@@ -13,7 +13,7 @@ namespace metamarch {
 namespace {
 
 constexpr int kDraws = 60'000;
-constexpr int kTests = 2; // of chi-square in this file
+constexpr int kTests = 2; // number of chi-square tests in this file
 
 TEST(EnvironmentMap, hasItsAxesWhereItSays) {
     const auto expectAt = [](vec3 direction, float u, float v) {
@@ -31,7 +31,7 @@ TEST(EnvironmentMap, hasItsAxesWhereItSays) {
     EXPECT_EQ(mapPoint(vec3(0, -1, 0)).y, 1.0f);
 }
 
-// In all the map, and within a texel of 8192 x 4096 of the poles too.
+// Over the whole map, and within a texel of the poles for 8192 x 4096 texels.
 TEST(EnvironmentMap, directionAndPointAreInverse) {
     std::mt19937 random(31);
     std::uniform_real_distribution<float> even(0.0f, 1.0f);
@@ -62,7 +62,7 @@ Environment flat(uint width, uint height, vec3 radiance) {
     return map;
 }
 
-// A dim map with one texel that outshines all others together.
+// Returns a dim map with one texel that outshines all others together.
 Environment brightTexel() {
     Environment map = flat(8, 4, vec3(0.1f, 0.2f, 0.3f));
     map.texels[2 * 8 + 5] = glm::vec3(50.0f);
@@ -141,7 +141,7 @@ TEST(EnvironmentMap, densityIntegratesToOne) {
     EXPECT_NEAR(sum, 1.0, 1e-5);
 }
 
-// What a sample claims is what its direction has, but where rounding puts it across a texel's border.
+// A sample's pdf is the pdf of its direction, except where rounding moves it across a texel's border.
 TEST(EnvironmentMap, samplesKnowTheirDensity) {
     const DrawnMap drawn(brightTexel());
     int different = 0;

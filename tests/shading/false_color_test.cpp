@@ -1,4 +1,4 @@
-// The colours of false_color.h: what they are said to be, and in the order they promise.
+// The colours of false_color.h: their documented values and order.
 #include "metamarch/shared/false_color.h"
 #include "metamarch/shared/texture.h"
 
@@ -15,7 +15,7 @@ float part(const std::uint32_t pixel, const unsigned channel) {
     return static_cast<float>((pixel >> (8 * channel)) & 255u) / 255.0f;
 }
 
-// Of a packed pixel.
+// Returns the luminance of a packed pixel.
 float luminanceOf(const std::uint32_t pixel) {
     return luminance(srgbToLinear(vec3(part(pixel, 0), part(pixel, 1), part(pixel, 2))));
 }
@@ -76,7 +76,7 @@ TEST(HeatColor, growsLighterAndEndsAtTheHottest) {
     EXPECT_EQ(heatColor(0.0f), heatColor(std::numeric_limits<float>::quiet_NaN()));
 }
 
-// B. Ottosson's table of test values: the XYZ white of D65, which is white in sRGB.
+// B. Ottosson's test values: the XYZ white of D65 is white in sRGB.
 TEST(OklabColor, hasWhiteAndGreysOnItsAxis) {
     for (const float lightness : {0.25f, 0.5f, 1.0f}) {
         const vec3 grey = oklabColor(lightness, 0.0f, 0.0f);

@@ -1,4 +1,4 @@
-// The device computes the shared shading functions to the bit as the CPU does.
+// The device computes the shared shading functions to the bit like the CPU.
 #include "camera_case.h"
 #include "kernel_run.h"
 #include "kernels/bsdf.h"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kCases = 1u << 16;
 
-// Compares every byte with what the CPU answers.
+// Compares every byte with the CPU's result.
 template <class Case, class Answer>
 void expectSameBits(const std::vector<Case>& cases, const std::vector<Answer>& answers) {
     using Words = std::array<std::uint32_t, sizeof(Answer) / sizeof(std::uint32_t)>;
@@ -117,14 +117,14 @@ TEST(ShadingOnDevice, bsdfHasTheBitsOfTheCpu) {
     RecordProperty("nanosecondsPerCase", static_cast<int>(times.again * 1e9 / kCases));
 }
 
-// A kernel without a feature computes what the CPU, which has all, computes where the material does not use
-// it.
+// For a material that does not use a feature, a kernel without the feature computes the same as the CPU,
+// which has all features.
 TEST(ShadingOnDevice, bsdfWithoutUnusedFeaturesHasTheSameBits) {
     constexpr uint32_t kFeatures = 0; // constant_id
     const std::vector<BsdfCase> all = randomBsdfCases(kCases / 4);
     for (uint32_t features = 0; features < kBsdfFeatures; ++features) {
         if ((features & (features - 1)) != 0 && features != (kFeatureTransmission | kFeatureVolume)) {
-            continue; // none, one, or refraction
+            continue; // only: no feature, one, or refraction
         }
         std::vector<BsdfCase> cases = all;
         for (BsdfCase& asked : cases) {

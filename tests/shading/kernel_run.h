@@ -1,5 +1,5 @@
-// Runs a kernel of this folder on the test's device: binding 0 is read, binding 1 written, one element each
-// per invocation, 64 invocations per workgroup.
+// Runs a kernel of this folder on the test's device. Binding 0 is read and binding 1 is written, one element
+// each per invocation; a workgroup has 64 invocations.
 #pragma once
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/vulkan/submission.h"
@@ -14,7 +14,7 @@
 namespace metamarch::vulkan {
 
 struct KernelTimes {
-    double first = 0.0; // seconds; drivers may compile in it
+    double first = 0.0; // seconds; may include the driver's compilation
     double again = 0.0;
 };
 

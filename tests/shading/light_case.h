@@ -1,4 +1,4 @@
-// The functions of light.h and environment_map.h on one input, asked of both sides.
+// The functions of light.h and environment_map.h on one input, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #define METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #include "metamarch/shared/environment_map.h"
@@ -9,7 +9,7 @@ struct LightCase {
     LightRecord light;
     vec3 point;
     float uX;
-    vec3 direction; // of unit length
+    vec3 direction; // unit length
     float uY;
     float keep;
     uint other;

@@ -12,7 +12,7 @@ namespace metamarch {
 namespace {
 
 constexpr int kDraws = 200'000;
-constexpr int kTests = 2; // of chi-square in this file
+constexpr int kTests = 2; // number of chi-square tests in this file
 
 float drawFrom(std::mt19937& random) { return unitInterval(static_cast<uint>(random())); }
 
@@ -24,7 +24,7 @@ TEST(PowerHeuristic, weightsOfBothWaysSumToOne) {
             ASSERT_NEAR(powerHeuristic(a, b) + powerHeuristic(b, a), 1.0f, 2e-7f) << own << " " << other;
         }
     }
-    EXPECT_EQ(powerHeuristic(2.0f, 0.0f), 1.0f); // nothing else finds it
+    EXPECT_EQ(powerHeuristic(2.0f, 0.0f), 1.0f); // no other technique finds it
     EXPECT_LT(powerHeuristic(0.0f, 2.0f), 1e-30f);
     EXPECT_NEAR(powerHeuristic(3.0f, 1.0f), 0.9f, 1e-7f);
 }
@@ -48,7 +48,7 @@ TEST(GuideSlot, staysInsideItsTable) {
 }
 
 TEST(TriangleSample, isUniformInArea) {
-    // Cells of equal area: strips of equal area from the third corner, cut evenly.
+    // Cells of equal area: strips of equal area, counted from the third corner, divided uniformly.
     constexpr std::size_t kStrips = 12;
     constexpr std::size_t kParts = 12;
     std::mt19937 random(21);
@@ -58,7 +58,8 @@ TEST(TriangleSample, isUniformInArea) {
         const vec3 corners = sampleTriangle(vec2(first, drawFrom(random)));
         ASSERT_GE(smallest(corners), 0.0f);
         ASSERT_NEAR(corners.x + corners.y + corners.z, 1.0f, 1e-6f);
-        const double away = 1.0 - corners.z; // from the third corner; the area up to there is its square
+        // From the third corner; the fraction of the area up to there is its square.
+        const double away = 1.0 - corners.z;
         const std::size_t strip = partOf(away * away, kStrips);
         const std::size_t part = away > 0.0 ? partOf(corners.x / away, kParts) : 0;
         histogram.observed[strip * kParts + part] += 1.0;
@@ -67,7 +68,7 @@ TEST(TriangleSample, isUniformInArea) {
 }
 
 TEST(SolidAngleDensity, isThatOfASmallPatch) {
-    // A patch of 0.01 seen at 60 degrees from 2 away covers 0.01 * cos 60 / 4 steradians.
+    // A patch with an area of 0.01, seen at 60 degrees from distance 2, covers 0.01 * cos 60 / 4 steradians.
     EXPECT_NEAR(solidAngleDensity(1.0f / 0.01f, 4.0f, 0.5f), 4.0f / (0.01f * 0.5f), 1e-2f);
     EXPECT_EQ(solidAngleDensity(100.0f, 4.0f, -0.5f), solidAngleDensity(100.0f, 4.0f, 0.5f));
     EXPECT_EQ(solidAngleDensity(100.0f, 4.0f, 0.0f), 0.0f);
@@ -83,13 +84,13 @@ TEST(PointLight, fallsWithTheSquareOfTheDistance) {
     EXPECT_EQ(drawn.distance, 2.0f);
     EXPECT_EQ(drawn.arriving, vec3(2, 1, 0.5f));
     EXPECT_EQ(drawn.pdf, 0.0f);
-    // At the light itself there is no direction; the sample is finite all the same.
+    // At the light's own position there is no direction, but the sample must be finite.
     const LightSample inside = sampleLight(light, light.position, vec2(0.3f, 0.7f));
     EXPECT_TRUE(std::isfinite(inside.arriving.x) && std::isfinite(inside.wi.x));
 }
 
-// KHR_lights_punctual: full inside the inner cone, none outside the outer, between them the square of a ramp
-// in the cosine.
+// KHR_lights_punctual: full intensity inside the inner cone, none outside the outer cone, and between them
+// the square of a linear ramp in the cosine.
 TEST(SpotLight, fallsBetweenItsCones) {
     constexpr double kInner = 0.3;
     constexpr double kOuter = 0.7;
@@ -107,7 +108,7 @@ TEST(SpotLight, fallsBetweenItsCones) {
             (std::cos(angle) - std::cos(kOuter)) / (std::cos(kInner) - std::cos(kOuter)), 0.0, 1.0);
         ASSERT_NEAR(sampleLight(light, point, vec2(0.5f)).arriving.x, ramp * ramp / 9.0, 1e-6) << angle;
     }
-    // Equal cones make a sharp edge, within the cosines' 0.001.
+    // Equal cones make a sharp edge, within 0.001 of the cosine.
     const vec2 sharp = makeSpotFalloff(0.5f, 0.5f);
     EXPECT_TRUE(std::isfinite(sharp.x) && std::isfinite(sharp.y));
 }
@@ -136,7 +137,8 @@ LightRecord disc(double angle, vec3 direction) {
     return light;
 }
 
-// A disc of radiance L and angular radius a in the zenith gives level ground pi * L * sin(a)^2.
+// A disc in the zenith with radiance L and angular radius a gives level ground the irradiance pi * L *
+// sin(a)^2.
 TEST(DiscLight, givesTheIrradianceOfItsCap) {
     for (const double angle : {0.0001, 0.00465, 0.1, 1.0, 1.5}) {
         const LightRecord light = disc(angle, vec3(0, 1, 0));
@@ -166,7 +168,7 @@ TEST(DiscLight, isHitByTheDirectionsItDraws) {
             missed +=
                 hitsDisc(light, sampleLight(light, vec3(0.0f), vec2(first, drawFrom(random))).wi) ? 0 : 1;
         }
-        EXPECT_LE(missed, kDraws / 10'000); // those of the rim that rounding moves
+        EXPECT_LE(missed, kDraws / 10'000); // samples on the rim that rounding moves out
         const auto at = [&](double off) {
             return unitVector(light.direction + around.tangent * static_cast<float>(std::tan(off)));
         };
@@ -187,7 +189,7 @@ TEST(DiscLight, isDrawnEvenly) {
         const float first = drawFrom(random);
         const vec3 wi = sampleLight(light, vec3(0.0f), vec2(first, drawFrom(random))).wi;
         const double outwards =
-            (1.0 - dotProduct(wi, light.direction)) / light.scale; // the cap's area inside
+            (1.0 - dotProduct(wi, light.direction)) / light.scale; // fraction of the cap's area inside
         const double turn =
             std::atan2(dotProduct(wi, around.bitangent), dotProduct(wi, around.tangent)) / (2.0 * M_PI) + 0.5;
         const std::size_t ring = partOf(outwards, kRings);

@@ -1,4 +1,4 @@
-// Materials that each show one part of the BSDF, and some that mix them.
+// Materials that each show one part of the BSDF, and some that combine several.
 #pragma once
 #include "metamarch/shared/bsdf.h"
 
@@ -20,10 +20,10 @@ std::vector<Look> looks(); // kLooks of them
 std::string nameOf(const testing::TestParamInfo<Look>& info);
 std::ostream& operator<<(std::ostream& stream, const Look& look);
 
-// In a plane askew to the axes, at this cosine to the z axis.
+// Returns a direction at this cosine to the z axis, in a plane oblique to the x and y axes.
 vec3 directionOf(float cosine);
 
-// The front looks along z; the shading normal leans by the tangent `tilt`, the coat's by half of that.
+// The front faces z; the shading normal is tilted by the tangent `tilt`, the coat's normal by half of that.
 SurfaceFrame tiltedFrame(vec3 wo, float tilt);
 
 } // namespace metamarch

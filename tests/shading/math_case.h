@@ -1,4 +1,4 @@
-// The functions of math.h and sobol.h on one input, asked of both sides.
+// The functions of math.h and sobol.h on one input, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_MATH_CASE_H
 #define METAMARCH_TESTS_SHADING_MATH_CASE_H
 #include "metamarch/shared/math.h"
@@ -7,7 +7,7 @@
 SHARED_BEGIN
 
 struct MathCase {
-    vec3 direction; // of unit length
+    vec3 direction; // unit length
     float x;        // in [-1, 1]
     uint pixelX;
     uint pixelY;

@@ -1,4 +1,4 @@
-// The functions of math.h against long double over the whole of their domains.
+// The functions of math.h against long double, over their whole domains.
 #include "metamarch/shared/math.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,15 @@ namespace {
 
 constexpr int kSamples = 400'000;
 
-// In units of the last place that a float of the exact value has; below the normal floats, of the smallest.
+// Returns the error in ulps of the exact value as a float; below the normal floats, in ulps of the smallest
+// one.
 double ulps(float value, long double exact) {
     const int exponent = std::max(std::ilogb(exact), std::numeric_limits<float>::min_exponent - 1) - 23;
     return static_cast<double>(std::abs(static_cast<long double>(value) - exact) /
                                std::ldexp(1.0L, exponent));
 }
 
-// Calls `visit` with floats of [lo, hi]: the ends, evenly spread values, and ones of every magnitude.
+// Calls `visit` with floats of [lo, hi]: the ends, uniformly spaced values, and values of every magnitude.
 template <class Visit>
 void forDomain(float lo, float hi, Visit visit) {
     std::mt19937 random(7);
@@ -54,7 +55,7 @@ struct WorstError {
 TEST(SharedMath, circlePointKeepsItsErrorNearTheAxes) {
     WorstError cosine;
     WorstError sine;
-    // sinl loses the exact quadrants by the rounding of pi: reduce first, as the function does.
+    // sinl is inexact at quadrants because pi is rounded. Reduce the argument first, as the function does.
     forDomain(-1.0f, 1.0f, [&](float turns) {
         const vec2 point = circlePoint(turns);
         const long double r = turns - std::nearbyint(4.0L * turns) / 4.0L;
@@ -105,7 +106,7 @@ TEST(SharedMath, logarithm) {
     };
     forDomain(0.0f, 2.0f, visit);
     forDomain(0.0f, std::numeric_limits<float>::max(), visit);
-    for (int step = -2000; step <= 2000; ++step) { // where the result all but cancels
+    for (int step = -2000; step <= 2000; ++step) { // where the result nearly cancels
         visit(1.0f + static_cast<float>(step) * 0x1p-24f);
     }
     EXPECT_LE(worst.ulps, 2.0) << worst.at;
@@ -159,7 +160,7 @@ TEST(SharedMath, basisIsOrthonormalAlsoAtThePole) {
     std::mt19937 random(5);
     std::normal_distribution<float> normal;
     for (int i = 0; i < 100'000; ++i) {
-        const float flat = i % 2 == 0 ? 1.0f : 1e-6f; // every other one next to a pole
+        const float flat = i % 2 == 0 ? 1.0f : 1e-6f; // every other direction is next to a pole
         const vec3 n = unitVector(vec3(flat * normal(random), flat * normal(random), normal(random)));
         const Basis basis = basisAround(n);
         for (const vec3 axis : {basis.tangent, basis.bitangent}) {

@@ -11,12 +11,12 @@ class CaseMaker {
 
   private:
     float even() { return even_(random_); }
-    // 0, 1, or anything between.
+    // Returns 0, 1 or a value between.
     float parameter() {
         const float kind = even();
         return kind < 0.25f ? 0.0f : kind < 0.4f ? 1.0f : even();
     }
-    // Absent for most materials.
+    // Returns a parameter that is 0 for most materials.
     float feature() { return even() < 0.7f ? 0.0f : parameter(); }
     vec3 color() { return even() < 0.2f ? vec3(1.0f) : vec3(parameter(), even(), even()); }
     vec3 direction() { return unitVector(vec3(normal_(random_), normal_(random_), normal_(random_))); }
@@ -60,7 +60,7 @@ BsdfCase CaseMaker::make() {
         even() < 0.5f ? made.shadingNormal : unitVector(made.geometricNormal + direction() * bump * 0.5f);
     made.tangent = even() < 0.2f ? vec3(0.0f) : direction();
     made.wo = direction();
-    // Half of the directions near the mirrored one, where the lobes are.
+    // Half of the directions are near the mirror direction, where the lobes are.
     const vec3 mirrored = made.shadingNormal * (2.0f * dotProduct(made.shadingNormal, made.wo)) - made.wo;
     made.wi = even() < 0.5f ? direction() : unitVector(mirrored + direction() * 0.2f * even());
     made.uLobe = even();

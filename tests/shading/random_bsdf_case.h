@@ -1,4 +1,4 @@
-// Materials, frames and directions of every kind.
+// Random materials, frames and directions of every kind.
 #pragma once
 #include "bsdf_case.h"
 
@@ -7,11 +7,11 @@
 
 namespace metamarch {
 
-// The defaults of glTF 2.0 and its extensions.
+// Returns the defaults of glTF 2.0 and its extensions.
 SurfaceMaterial plainMaterial();
 
-// Each parameter off, at one end of its range or anywhere in it; normals that disagree; directions on both
-// sides.
+// Each parameter is off, at an end of its range or anywhere within it. Normals may disagree, and directions
+// lie on both sides.
 std::vector<BsdfCase> randomBsdfCases(std::size_t count);
 
 } // namespace metamarch

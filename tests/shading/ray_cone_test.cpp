@@ -1,4 +1,4 @@
-// Ray cones: pixels of every camera share out what it sees; surfaces pass cones on.
+// Ray cones: the pixels of a camera share its view among them, and surfaces pass cones on.
 #include "metamarch/shading/view.h"
 #include "metamarch/shared/path.h"
 
@@ -20,7 +20,7 @@ RayCone coneOf(const Camera& camera, const float x, const float y) {
     return cameraCone(camera, cameraRayThrough(camera, {x, y}, {0.0f, 0.0f}).dir);
 }
 
-// The solid angle of all pixels' cones, each a square of its spread.
+// Returns the total solid angle of all pixels' cones; each has the square of its spread.
 double solidAngleOf(const Camera& camera) {
     double sum = 0.0;
     for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
@@ -40,7 +40,7 @@ TEST(RayCone, isAsWideAsAPixelAtADistance) {
     EXPECT_NEAR(widthAt(cone, 10.0f), 2.0 * 10.0 * std::tan(0.4) / kHeight, 1e-6);
 }
 
-// A pyramid of half-angles a and b: 4 asin(sin a sin b), with the angles of its side faces.
+// A pyramid with half-angles a and b, the angles of its side faces, has the solid angle 4 asin(sin a sin b).
 TEST(RayCone, pixelsOfAWidePictureFillItsSolidAngle) {
     SceneCamera view = lookAt({1, 2, 3}, {4, 4, 4}, {0, 1, 0});
     view.verticalFov = 2.2f;
@@ -90,7 +90,8 @@ TEST(RayCone, cutsAnAreaOutOfATriangle) {
     const vec3 straight(0.0f, 0.0f, -1.0f);
     EXPECT_FLOAT_EQ(seenPart(triangle, straight, 0.5f, 0), 0.25f / 12.0f);
     EXPECT_FLOAT_EQ(seenPart(triangle, -straight, 0.5f, 0), 0.25f / 12.0f);
-    // Leaning: as much larger as the cosine is smaller. The side falls with the samples' number to 3/4.
+    // If the ray is oblique, the part grows by 1 / cosine. Its side falls with the power 3/4 of the number of
+    // samples.
     EXPECT_FLOAT_EQ(seenPart(triangle, vec3(0.8f, 0.0f, -0.6f), 0.5f, 0), 0.25f / 12.0f / 0.6f);
     EXPECT_FLOAT_EQ(seenPart(triangle, straight, 0.5f, 3), 0.25f / 12.0f / 8.0f);
 }

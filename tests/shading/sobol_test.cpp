@@ -1,4 +1,5 @@
-// The sampler: every prefix stratified, every dimension and pixel by itself, better than random numbers.
+// The sampler: every prefix is stratified, dimensions and pixels are independent, and the error is below that
+// of random numbers.
 #include "metamarch/shared/sobol.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
     return ab / std::sqrt(aa * bb);
 }
 
-// Sobol's own construction: x_i is the sum of the direction numbers of the bits of i; those of the second
+// Sobol's own construction: x_i is the xor of the direction numbers of the bits of i. Those of the second
 // dimension follow from the primitive polynomial x + 1.
 uint sobolSecondByDirectionNumbers(uint index) {
     uint direction = 0x80000000u;
@@ -54,7 +55,7 @@ TEST(Sobol, secondDimensionHasItsDirectionNumbers) {
 TEST(Sobol, everyElementaryIntervalHoldsOnePoint) {
     for (uint k = 1; k <= 10; ++k) {
         const uint count = 1u << k;
-        // The first samples and a later, aligned range, as a resumed render draws it.
+        // The first samples, and a later, aligned range as a resumed render draws it.
         for (const uint first : {0u, 5u * count}) {
             const std::vector<vec2> all = points(17, 4, kDimensionLens, count, first);
             for (uint columnBits = 0; columnBits <= k; ++columnBits) {
@@ -87,8 +88,8 @@ TEST(Sobol, numbersLieBelowOne) {
 }
 
 TEST(Sobol, dimensionsAndPixelsDoNotCorrelate) {
-    // The mean of one coordinate pair's product over many pixels, at sample counts where a bad scramble
-    // repeats its pattern. The bound is six standard deviations.
+    // The mean product of a pair of coordinates over many pixels, at sample counts where a bad scramble would
+    // repeat its pattern. The bound is six standard deviations.
     constexpr uint kPixels = 4096;
     for (const uint index : {0u, 1u, 2u, 63u}) {
         std::vector<double> here(kPixels);
@@ -138,7 +139,7 @@ TEST(Sobol, dimensionsDoNotCorrelateWithinAPixel) {
 }
 
 TEST(Sobol, numbersAreUniformOverPixels) {
-    // Chi-square over 64 cells of the first samples of 2^16 pixels: 63 degrees of freedom; 120 has a
+    // Chi-square over 64 cells of the first samples of 2^16 pixels: with 63 degrees of freedom, 120 has a
     // probability of 2e-5.
     std::vector<int> cells(64);
     for (uint y = 0; y < 256; ++y) {
@@ -154,7 +155,7 @@ TEST(Sobol, numbersAreUniformOverPixels) {
     EXPECT_LT(chiSquare, 120.0);
 }
 
-// Root mean square error, over pixels, of the integral of a disc's indicator and of a smooth function.
+// The root mean square errors over pixels for two integrals: a disc's indicator and a smooth function.
 struct Errors {
     double disc = 0.0;
     double smooth = 0.0;

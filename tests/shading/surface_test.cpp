@@ -1,4 +1,4 @@
-// Normals that disagree: no light leaks, and nothing turns black that a mirror would show.
+// Shading normals that disagree with the triangle: no light leaks, and no mirror turns black.
 #include "looks.h"
 #include "random_bsdf_case.h"
 
@@ -51,7 +51,7 @@ TEST(SurfaceFrames, normalAgainstTheTriangleIsTurned) {
     EXPECT_EQ(makeSurfaceFrame(kUp, -kUp, -kUp, vec3(0.0f), wo).normal, kUp);
 }
 
-// An opaque surface shows nothing of what lies behind the triangle, whatever its shading normal.
+// An opaque surface does not show what lies behind the triangle, whatever its shading normal is.
 TEST(SurfaceFrames, noLightLeaks) {
     int lit = 0;
     for (const BsdfCase& asked : randomBsdfCases(50'000)) {
@@ -75,13 +75,13 @@ TEST(SurfaceFrames, noLightLeaks) {
     EXPECT_GT(lit, 10'000);
 }
 
-// The bent normal's mirror shows the sky where the given one would look into the surface.
+// The bent normal's mirror direction sees the sky where the original normal's would point into the surface.
 TEST(SurfaceFrames, bumpyMirrorAtGrazingIsNotBlack) {
     SurfaceMaterial material = plainMaterial();
     material.metallic = 1.0f;
     material.roughness = 0.0f;
     const vec3 wo = directionOf(0.1f);
-    const vec3 leaning = unitVector(vec3(-0.8f, -0.6f, 1.0f)); // away from wo
+    const vec3 leaning = unitVector(vec3(-0.8f, -0.6f, 1.0f)); // leans away from wo
     const Bsdf bsdf = makeBsdf(material, makeSurfaceFrame(kUp, leaning, leaning, vec3(0.0f), wo), wo);
     const BsdfSample drawn = sampleBsdf(bsdf, 0.5f, vec2(0.5f, 0.5f));
     EXPECT_GT(drawn.wi.z, 0.0f);

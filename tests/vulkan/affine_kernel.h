@@ -1,4 +1,4 @@
-// The kernel kernels/affine.comp as the tests use it.
+// The kernel kernels/affine.comp, as the tests use it.
 #pragma once
 #include "metamarch/vulkan/compute_pipeline.h"
 
@@ -10,7 +10,7 @@ namespace metamarch::vulkan {
 
 inline constexpr uint32_t kAffineInputs = 1;
 inline constexpr uint32_t kAffineOutputs = 4;
-inline constexpr uint32_t kAffineFactor = 7; // its constant_id
+inline constexpr uint32_t kAffineFactor = 7; // constant_id of the kernel's factor
 
 struct AffinePush {
     uint32_t offset;

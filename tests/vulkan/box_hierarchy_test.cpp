@@ -1,4 +1,4 @@
-// The driver's hierarchy on a device that has ray queries; on others, that it is refused.
+// Tests the driver's hierarchy on devices with ray queries; on others, that it is refused.
 #include "fixtures/vulkan_environment.h"
 #include "kernels/boxes.h"
 #include "metamarch/vulkan/box_hierarchy.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t kBoxes = 8;
 
-// Unit cubes along x, two units apart.
+// Returns unit cubes along x, two units apart.
 std::vector<vk::AabbPositionsKHR> row() {
     std::vector<vk::AabbPositionsKHR> boxes;
     for (uint32_t i = 0; i < kBoxes; ++i) {
@@ -26,7 +26,7 @@ std::vector<vk::AabbPositionsKHR> row() {
     return boxes;
 }
 
-// One mask of boxes per pair of origin and direction.
+// Returns, for each pair of origin and direction, a bit mask of the boxes that the ray may meet.
 std::vector<uint32_t> meet(const std::vector<vk::AabbPositionsKHR>& boxes,
                            const std::vector<glm::vec4>& rays) {
     const Device& device = testDevice();
@@ -59,13 +59,13 @@ TEST(BoxHierarchy, offersTheBoxesThatARayMeetsByTheirNumbers) {
         return;
     }
     std::vector<glm::vec4> rays;
-    for (uint32_t i = 0; i < kBoxes; ++i) { // down through each
+    for (uint32_t i = 0; i < kBoxes; ++i) { // down through each cube
         rays.emplace_back(3.0f * static_cast<float>(i) + 0.5f, 9, 0.5f, 0);
         rays.emplace_back(0, -2, 0, 0);
     }
-    rays.emplace_back(-1, 0.5f, 0.5f, 0); // along all of them
+    rays.emplace_back(-1, 0.5f, 0.5f, 0); // along the row, through all of them
     rays.emplace_back(1, 0, 0, 0);
-    rays.emplace_back(-1, 5, 0.5f, 0); // past them
+    rays.emplace_back(-1, 5, 0.5f, 0); // past all of them
     rays.emplace_back(1, 0, 0, 0);
     const std::vector<uint32_t> masks = meet(row(), rays);
     for (uint32_t i = 0; i < kBoxes; ++i) {

@@ -29,7 +29,7 @@ std::vector<uint32_t> affine(std::vector<uint32_t> values, uint32_t factor, uint
 
 class ComputeTest : public testing::Test {
   protected:
-    static constexpr uint32_t kCount = 1000; // no multiple of the workgroup size
+    static constexpr uint32_t kCount = 1000; // not a multiple of the workgroup size
     static constexpr GroupCount kGroups = {(kCount + 63) / 64, 1, 1};
 
     const Device& device_ = testDevice();

@@ -11,7 +11,8 @@
 namespace metamarch::vulkan {
 namespace {
 
-// In a process of its own: the loader reads its variables once, and messages must not count against this one.
+// Runs in a separate process: the loader reads its environment variables once, and validation messages must
+// not count against this process.
 class ContextDeathTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -19,7 +20,7 @@ class ContextDeathTest : public testing::Test {
     } // a fork would lack the driver's threads
 };
 
-// At once, so that no leak check of a sanitizer adds its own verdict.
+// Exits immediately, so that no sanitizer's leak check changes the exit code.
 void exitWithCodeOfContext() {
     try {
         const Context context;
@@ -52,7 +53,7 @@ TEST_F(ContextDeathTest, namesThePackageWhenTheValidationLayerIsMissing) {
 TEST_F(ContextDeathTest, validationMessagesAreCountedAndPrinted) {
     EXPECT_EXIT(
         {
-            // Past the end of the buffer.
+            // Reads past the end of the buffer.
             const Buffer buffer(testDevice(), BufferUse::storage, 64, "buffer");
             const Buffer readback(testDevice(), BufferUse::readback, 64, "readback");
             Submission(testDevice()).run([&](Commands& commands) {

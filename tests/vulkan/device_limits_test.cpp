@@ -1,4 +1,4 @@
-// What is too much for the device is refused by name before the driver sees it.
+// Work that exceeds the device's limits is refused by name before the driver sees it.
 #include "affine_kernel.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/vulkan_environment.h"

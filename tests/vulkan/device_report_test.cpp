@@ -6,7 +6,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-// A device that has what we need and nothing more.
+// Returns a device that has exactly what we need.
 DeviceReport sufficient() {
     DeviceReport report;
     report.apiVersion = VK_API_VERSION_1_2;
@@ -51,7 +51,7 @@ TEST(DeviceReport, asksMoreOfAWindowsDevice) {
     EXPECT_EQ(refusalsOf(report), expected);
 }
 
-// It is no reason to refuse a device: only one traversal wants ray queries.
+// The lack of ray queries is no reason to refuse a device, because only one traversal needs them.
 TEST(DeviceReport, doesWithoutRayQueries) {
     DeviceReport report = sufficient();
     report.missingForRayQuery = {"VK_KHR_ray_query"};
@@ -72,7 +72,7 @@ TEST(DeviceReport, describesTheDevicesOfThisMachine) {
 TEST(DeviceReport, readsTheLimitsOfTheOpenedDevice) {
     const DeviceReport& report = testDevice().report();
     EXPECT_FALSE(report.driver.empty());
-    EXPECT_GE(report.maxStorageBufferRange, uint64_t{1} << 27); // the least Vulkan guarantees
+    EXPECT_GE(report.maxStorageBufferRange, uint64_t{1} << 27); // the minimum that Vulkan guarantees
     EXPECT_GE(report.maxMemoryAllocationSize, uint64_t{1} << 30);
     EXPECT_GE(report.maxComputeWorkGroupCount[0], 65535u);
     EXPECT_GT(report.deviceLocalHeapSize, 0u);

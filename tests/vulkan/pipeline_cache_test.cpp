@@ -19,13 +19,13 @@ std::string contents(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Opens the device of the tests once more, compiles, and closes it again: its cache is then on disk.
+// Opens the tests' device again, compiles and closes it, so that its cache is on disk.
 void openAndClose() {
     const Device device(testContext(), std::to_string(testDevice().report().index));
     affineKernel(device, 1);
 }
 
-// Each test has a cache folder of its own.
+// Gives each test its own cache folder.
 class PipelineCacheTest : public testing::Test {
   protected:
     PipelineCacheTest() : cacheHome_(std::getenv("XDG_CACHE_HOME")) {

@@ -9,7 +9,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-// Differs at every place a chunk could end up wrongly.
+// Returns data that differs at every place where a chunk could go wrong.
 std::vector<uint32_t> pattern(size_t count) {
     std::vector<uint32_t> values(count);
     uint32_t state = 1;
@@ -32,7 +32,8 @@ TEST(Transfer, bringsBackWhatItUploaded) {
 TEST(Transfer, crossesSeveralChunks) {
     const std::vector<uint32_t> values = pattern(5 * kTransferChunkSize / (2 * sizeof(uint32_t)) + 3);
     const Buffer buffer = upload(testDevice(), std::span(values), "values");
-    EXPECT_TRUE(download<uint32_t>(testDevice(), buffer) == values); // no print of megabytes
+    // Compared as a whole, so that a failure does not print megabytes.
+    EXPECT_TRUE(download<uint32_t>(testDevice(), buffer) == values);
 }
 
 TEST(Transfer, takesAnyNumberOfBytes) {

@@ -1,6 +1,6 @@
 #version 460
-// outputs[i] = factor * inputs[i] + offset in integers, factor a specialization constant, offset a push
-// constant.
+// outputs[i] = factor * inputs[i] + offset in integers; the factor is a specialization constant, the offset a
+// push constant.
 layout(local_size_x = 64) in;
 layout(constant_id = 7) const uint kFactor = 1u;
 

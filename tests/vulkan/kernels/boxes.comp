@@ -1,4 +1,4 @@
-// Which boxes a ray may meet, as bits of their numbers.
+// Finds the boxes that a ray may meet; the result has one bit per box.
 #version 460
 #extension GL_EXT_ray_query : require
 layout(local_size_x = 1) in;
