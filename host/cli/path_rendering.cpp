@@ -85,7 +85,8 @@ Rendering renderPaths(const RenderJob& job, const ShadingScene& shading, const P
     result.stats["mraysPerSecond"] = (rays + shadowRays) / seconds * 1e-6;
     result.summary = fmt::format("{} samples a pixel, {:.2f} Msamples/s, {:.2f} Mrays/s", samples,
                                  taken / seconds * 1e-6, (rays + shadowRays) / seconds * 1e-6);
-    result.image = filmImage(film, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height));
+    result.image = filmImage(film, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height),
+                             aovsOf("path"));
     addSampling(result.image, samples, settings.seed, settings.maxBounces);
     return result;
 }

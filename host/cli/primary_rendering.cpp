@@ -1,7 +1,7 @@
 #include "metamarch/cli/primary_rendering.h"
 
 #include "metamarch/cli/progress.h"
-#include "metamarch/image/primary_image.h"
+#include "metamarch/image/film_image.h"
 #include "metamarch/reference/primary.h"
 #include "metamarch/render/primary_renderer.h"
 #include "metamarch/render/stopwatch.h"
@@ -12,10 +12,10 @@
 namespace metamarch::cli {
 namespace {
 
-std::vector<PrimaryPixel> renderOnCpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
+std::vector<FilmPixel> renderOnCpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
     RowProgress progress(job.camera.height, !job.quiet);
     const Stopwatch stopwatch;
-    std::vector<PrimaryPixel> pixels =
+    std::vector<FilmPixel> pixels =
         metamarch::renderPrimary(job.structure, shading.materials, shading.materialOfTriangle, job.camera,
                                  [&](const unsigned rows) { progress.finish(rows); });
     describeCpu(result);
@@ -23,7 +23,7 @@ std::vector<PrimaryPixel> renderOnCpu(const RenderJob& job, const ShadingData& s
     return pixels;
 }
 
-std::vector<PrimaryPixel> renderOnGpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
+std::vector<FilmPixel> renderOnGpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
     const Stopwatch upload;
     const render::SceneBuffers scene(*job.device, job.structure, shading);
     result.stats["seconds"]["upload"] = upload.seconds();
@@ -44,16 +44,16 @@ std::vector<PrimaryPixel> renderOnGpu(const RenderJob& job, const ShadingData& s
 Rendering renderPrimary(const RenderJob& job) {
     const ShadingData shading = makeShadingData(job.scene);
     Rendering result;
-    const std::vector<PrimaryPixel> pixels =
+    const std::vector<FilmPixel> pixels =
         job.device != nullptr ? renderOnGpu(job, shading, result) : renderOnCpu(job, shading, result);
 
     double steps = 0.0;
     double tests = 0.0;
     std::uint64_t hits = 0;
-    for (const PrimaryPixel& pixel : pixels) {
+    for (const FilmPixel& pixel : pixels) {
         steps += pixel.steps;
         tests += pixel.tests;
-        hits += pixel.triangleId != kNoTriangle ? 1 : 0;
+        hits += pixel.seen.triangleId != kNoTriangle ? 1 : 0;
     }
     const auto rays = static_cast<double>(pixels.size());
     result.stats["rays"] = pixels.size();
@@ -62,8 +62,8 @@ Rendering renderPrimary(const RenderJob& job) {
     result.stats["testsPerRay"] = tests / rays;
     result.stats["mraysPerSecond"] = rays / result.stats["seconds"]["render"].get<double>() * 1e-6;
     result.summary = fmt::format("{:.2f} steps and {:.2f} tests per ray", steps / rays, tests / rays);
-    result.image =
-        primaryImage(pixels, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height));
+    result.image = filmImage(pixels, static_cast<int>(job.camera.width), static_cast<int>(job.camera.height),
+                             aovsOf("primary"));
     return result;
 }
 

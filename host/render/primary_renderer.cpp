@@ -10,11 +10,11 @@
 namespace metamarch::render {
 namespace {
 
-// Tiles of one submission: 2^14 tiles of 64 pixels are 48 MiB of output.
-constexpr std::uint32_t kMostTiles = 1u << 14u;
+// Tiles of one submission: 2^13 tiles of 64 pixels are 56 MiB of output.
+constexpr std::uint32_t kMostTiles = 1u << 13u;
 
-void copyTile(const std::span<const PrimaryPixel, kTilePixels> tile, const std::uint32_t tileIndex,
-              const std::uint32_t tilesPerRow, const Camera& camera, std::vector<PrimaryPixel>& pixels) {
+void copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
+              const std::uint32_t tilesPerRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
     const std::uint32_t left = tileIndex % tilesPerRow * kTileSide;
     const std::uint32_t top = tileIndex / tilesPerRow * kTileSide;
     const std::uint32_t width = std::min(kTileSide, camera.width - left);
@@ -40,7 +40,7 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
         {.storageBindings = {kBindCamera, kBindOutput}, .pushConstantSize = sizeof(PrimaryPush)});
     const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
     const std::uint64_t outputBytes =
-        std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(PrimaryPixel);
+        std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(FilmPixel);
     const vulkan::Buffer output(device, vulkan::BufferUse::storage, outputBytes, "pixels");
     const vulkan::Buffer readback(device, vulkan::BufferUse::readback, outputBytes, "pixels read back");
     pipeline.bind(kBindCamera, input);
@@ -51,12 +51,12 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
     render.pixels.resize(std::size_t{camera.width} * camera.height);
     for (std::uint32_t firstTile = 0; firstTile < tiles;) {
         const std::uint32_t count = std::min(work.units(), tiles - firstTile);
-        const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(PrimaryPixel);
+        const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(FilmPixel);
         const double seconds = submission.run([&](vulkan::Commands& commands) {
             commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{firstTile, tilesPerRow});
             commands.copy(output, 0, readback, 0, bytes);
         });
-        const std::span tilePixels(reinterpret_cast<const PrimaryPixel*>(readback.mapped().data()),
+        const std::span tilePixels(reinterpret_cast<const FilmPixel*>(readback.mapped().data()),
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
             copyTile(tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>(), firstTile + i,
@@ -67,8 +67,10 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
         firstTile += count;
         onProgress(static_cast<double>(firstTile) / tiles);
     }
-    for (const PrimaryPixel& pixel : render.pixels) {
-        refuseCutShort(pixel.steps, device, traversal);
+    for (const FilmPixel& pixel : render.pixels) {
+        if (pixel.samples == 0) {
+            refuseCutShort(kCutShort, device, traversal);
+        }
     }
     return render;
 }

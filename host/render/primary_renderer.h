@@ -10,9 +10,9 @@
 namespace metamarch::render {
 
 struct PrimaryRender {
-    std::vector<PrimaryPixel> pixels; // camera.width * camera.height, in rows from the top
-    double deviceSeconds = 0.0;       // without the first submission, which may compile
-    double firstSeconds = 0.0;        // the first submission
+    std::vector<FilmPixel> pixels; // camera.width * camera.height, in rows from the top
+    double deviceSeconds = 0.0;    // without the first submission, which may compile
+    double firstSeconds = 0.0;     // the first submission
     std::uint32_t submissions = 0;
 };
 

@@ -42,11 +42,6 @@ Trace traceSolid(const Ray given, const bool anyHit, const PixelSample at, const
     return trace;
 }
 
-FirstHit firstHit(const PathStep step, const vec3 dir, const float t, const uint triangleId) {
-    return FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal,
-                    t * dotProduct(dir, camera.forward));
-}
-
 void main() {
     const uint tile = push.firstTile + gl_WorkGroupID.x;
     const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
@@ -84,7 +79,7 @@ void main() {
                 const float t = ray.shift + trace.hit.t;
                 const PathStep step = meetSurface(settings, path, ray, t, triangle, at);
                 if (path.bounce == 0u) {
-                    first = firstHit(step, path.dir, t, trace.hit.triangleId);
+                    first = firstHit(step, camera.forward, path.dir, t, trace.hit.triangleId);
                 }
                 const uint bounce = path.bounce;
                 path = step.path;

@@ -2,7 +2,7 @@
 #include "lib/tiles.glsl"
 
 layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };
-layout(std430, binding = kBindOutput) writeonly buffer PixelBuffer { PrimaryPixel pixels[]; };
+layout(std430, binding = kBindOutput) writeonly buffer FilmBuffer { FilmPixel film[]; };
 layout(push_constant) uniform PushBlock { PrimaryPush push; };
 
 void main() {
@@ -16,13 +16,18 @@ void main() {
     Trace trace = startTrace(ray);
     traverse(ray, false, trace);
 
-    PrimaryPixel result = missPrimary();
+    FilmPixel result = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
         const TriangleRecord triangle = loadTriangle(trace.slot);
         result = shadePrimary(camera, view, ray, trace.hit, triangle,
                               materials[materialOfTriangle[trace.hit.triangleId]]);
     }
-    result.steps = trace.finished ? trace.steps : kCutShort;
-    result.tests = trace.tests;
-    pixels[gl_WorkGroupID.x * kTilePixels + gl_LocalInvocationIndex] = result;
+    result.rays = 1u;
+    result.steps = float(trace.steps);
+    result.tests = float(trace.tests);
+    // A trace that the driver ended early is no sample.
+    if (!trace.finished) {
+        result = emptyPixel();
+    }
+    film[gl_WorkGroupID.x * kTilePixels + gl_LocalInvocationIndex] = result;
 }

@@ -1,4 +1,4 @@
-// What the path tracer collects of a pixel.
+// What an integrator collects of a pixel. src/image/aov.cpp says which channels of a picture are made of it.
 #ifndef METAMARCH_SHARED_FILM_H
 #define METAMARCH_SHARED_FILM_H
 #include "ray.h"
@@ -6,7 +6,8 @@
 
 SHARED_BEGIN
 
-// What the camera sees at the end of its ray, for the pictures beside the beauty.
+// What the camera sees at the end of its ray, for the channels beside the colour. A pixel has the sums of the
+// vectors and the scalars of its first sample.
 struct FirstHit {
     vec3 albedo;
     float t;     // kFarthest: nothing
@@ -26,28 +27,22 @@ const float kLargestRadiance = 1.0e15f;
 // The sums of a pixel's samples in their order, so that they do not depend on how the work is cut.
 struct FilmPixel {
     vec3 radiance;
-    uint samples; // taken, rejected ones included
-    vec3 albedo;
+    uint samples;  // taken, rejected ones included
+    vec3 squares;  // of radiances
     uint rejected; // samples that were not finite; in no sum
-    vec3 normal;   // geometric
-    float depth;   // of the first sample, along the view axis; kFarthest: nothing
-    vec3 shadingNormal;
-    float t;         // of the first sample, along the ray
-    vec3 squares;    // of radiances
-    float covered;   // samples that hit something
-    uint triangleId; // of the first sample
+    FirstHit seen;
+    float covered; // samples that hit something
     uint rays;
     uint shadowRays;
-    uint padding0;
     float steps; // of all rays
     float tests;
+    uint padding0;
     uint padding1;
     uint padding2;
 };
 
 SHARED_FN FilmPixel emptyPixel() {
-    return FilmPixel(vec3(0.0f), 0u, vec3(0.0f), 0u, vec3(0.0f), kFarthest, vec3(0.0f), kFarthest, vec3(0.0f),
-                     0.0f, kNoTriangle, 0u, 0u, 0u, 0.0f, 0.0f, 0u, 0u);
+    return FilmPixel(vec3(0.0f), 0u, vec3(0.0f), 0u, missFirst(), 0.0f, 0u, 0u, 0.0f, 0.0f, 0u, 0u, 0u);
 }
 
 SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const FirstHit first) {
@@ -56,17 +51,17 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     if (isSound) {
         added.radiance = sum.radiance + radiance;
         added.squares = sum.squares + radiance * radiance;
-        added.albedo = sum.albedo + first.albedo;
-        added.normal = sum.normal + first.normal;
-        added.shadingNormal = sum.shadingNormal + first.shadingNormal;
+        added.seen.albedo = sum.seen.albedo + first.albedo;
+        added.seen.normal = sum.seen.normal + first.normal;
+        added.seen.shadingNormal = sum.seen.shadingNormal + first.shadingNormal;
         added.covered = sum.covered + (first.triangleId == kNoTriangle ? 0.0f : 1.0f);
     }
     added.rejected = sum.rejected + (isSound ? 0u : 1u);
     added.samples = sum.samples + 1u;
     if (sum.samples == 0u) {
-        added.depth = first.depth;
-        added.t = first.t;
-        added.triangleId = first.triangleId;
+        added.seen.depth = first.depth;
+        added.seen.t = first.t;
+        added.seen.triangleId = first.triangleId;
     }
     return added;
 }
@@ -76,13 +71,14 @@ SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
     return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
 }
 
+SHARED_ASSERT_SIZE(FirstHit, 48)
+SHARED_ASSERT_OFFSET(FirstHit, normal, 16)
+SHARED_ASSERT_OFFSET(FirstHit, shadingNormal, 32)
 SHARED_ASSERT_SIZE(FilmPixel, 112)
-SHARED_ASSERT_OFFSET(FilmPixel, albedo, 16)
-SHARED_ASSERT_OFFSET(FilmPixel, normal, 32)
-SHARED_ASSERT_OFFSET(FilmPixel, shadingNormal, 48)
-SHARED_ASSERT_OFFSET(FilmPixel, squares, 64)
-SHARED_ASSERT_OFFSET(FilmPixel, triangleId, 80)
-SHARED_ASSERT_OFFSET(FilmPixel, steps, 96)
+SHARED_ASSERT_OFFSET(FilmPixel, squares, 16)
+SHARED_ASSERT_OFFSET(FilmPixel, seen, 32)
+SHARED_ASSERT_OFFSET(FilmPixel, covered, 80)
+SHARED_ASSERT_OFFSET(FilmPixel, steps, 92)
 
 SHARED_END
 #endif

@@ -6,6 +6,7 @@
 #ifndef METAMARCH_SHARED_PATH_H
 #define METAMARCH_SHARED_PATH_H
 #include "bsdf.h"
+#include "film.h"
 #include "ray_cone.h"
 #include "scene_light.h"
 #include "sobol.h"
@@ -223,6 +224,13 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     next.isAlive = next.isAlive && !isLast;
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);
+}
+
+// Of a camera ray along `dir` that met a surface at `t`.
+SHARED_FN FirstHit firstHit(const PathStep step, const vec3 viewAxis, const vec3 dir, const float t,
+                            const uint triangleId) {
+    return FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal,
+                    t * dotProduct(dir, viewAxis));
 }
 
 SHARED_END

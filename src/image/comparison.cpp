@@ -1,5 +1,8 @@
 #include "metamarch/image/comparison.h"
 
+#include "metamarch/image/aov.h"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -114,7 +117,12 @@ void compareChannels(const Image& a, const Image& b, double maxAbs, Comparison& 
 
 } // namespace
 
-bool isJudged(std::string_view channel) { return channel != "steps" && channel != "tests"; }
+bool isJudged(const std::string_view channel) {
+    return std::ranges::none_of(aovs(), [&](const Aov& aov) {
+        const std::vector<std::string> channels = aov.channels();
+        return aov.kind == AovKind::work && std::ranges::find(channels, channel) != channels.end();
+    });
+}
 
 Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds& bounds) {
     Comparison comparison;

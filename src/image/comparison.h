@@ -47,8 +47,8 @@ struct Comparison {
 // Minimization", 2011. The floor keeps nearly black pixels from deciding alone.
 inline constexpr double kRelativeMseFloor = 0.01;
 
-// `steps` and `tests` count the work of a traversal. They are no part of the picture: reported, never judged,
-// and one picture may lack them.
+// Channels that count work (AovKind::work) are no part of the picture: reported, never judged, and one
+// picture may lack them.
 bool isJudged(std::string_view channel);
 
 Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds& bounds = {});

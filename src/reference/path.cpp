@@ -60,9 +60,7 @@ void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum
         const float t = ray.shift + trace.hit.t;
         const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, at);
         if (path.bounce == 0) {
-            first = {step.albedo,        t,
-                     step.normal,        trace.hit.triangleId,
-                     step.shadingNormal, t * dotProduct(path.dir, render.camera.forward)};
+            first = firstHit(step, render.camera.forward, path.dir, t, trace.hit.triangleId);
         }
         const uint lightAlpha = bounceDimension(path.bounce, kBounceLightAlpha);
         path = step.path;

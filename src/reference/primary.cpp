@@ -7,31 +7,31 @@
 namespace metamarch {
 namespace {
 
-PrimaryPixel renderPixel(const AccelerationStructure& structure,
-                         const std::span<const ShadingMaterial> materials,
-                         const std::span<const std::uint32_t> materialOfTriangle, const Camera& camera,
-                         const uint x, const uint y) {
+FilmPixel renderPixel(const AccelerationStructure& structure,
+                      const std::span<const ShadingMaterial> materials,
+                      const std::span<const std::uint32_t> materialOfTriangle, const Camera& camera,
+                      const uint x, const uint y) {
     const CameraRay view = cameraRay(camera, x, y);
     const Ray ray = makeRay(structure.lattice, view.origin, 0.0f, view.dir, kFarthest);
     const TraceResult trace = traceKdStack(structure, ray, HitQuery::closest);
-    PrimaryPixel pixel = missPrimary();
+    FilmPixel pixel = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
         pixel = shadePrimary(camera, view, ray, trace.hit, structure.triangles[trace.slot],
                              materials[materialOfTriangle[trace.hit.triangleId]]);
     }
-    pixel.steps = trace.steps;
-    pixel.tests = trace.tests;
+    pixel.rays = 1;
+    pixel.steps = static_cast<float>(trace.steps);
+    pixel.tests = static_cast<float>(trace.tests);
     return pixel;
 }
 
 } // namespace
 
-std::vector<PrimaryPixel> renderPrimary(const AccelerationStructure& structure,
-                                        const std::span<const ShadingMaterial> materials,
-                                        const std::span<const std::uint32_t> materialOfTriangle,
-                                        const Camera& camera,
-                                        const std::function<void(unsigned rows)>& onRows) {
-    std::vector<PrimaryPixel> pixels(std::size_t{camera.width} * camera.height);
+std::vector<FilmPixel> renderPrimary(const AccelerationStructure& structure,
+                                     const std::span<const ShadingMaterial> materials,
+                                     const std::span<const std::uint32_t> materialOfTriangle,
+                                     const Camera& camera, const std::function<void(unsigned rows)>& onRows) {
+    std::vector<FilmPixel> pixels(std::size_t{camera.width} * camera.height);
     tbb::parallel_for(0u, camera.height, [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {
             pixels[std::size_t{y} * camera.width + x] =

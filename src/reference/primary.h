@@ -12,7 +12,7 @@ namespace metamarch {
 
 // One pixel for each of camera.width * camera.height, in rows from the top. Multi-threaded; `onRows` is told
 // of finished rows, from any thread.
-std::vector<PrimaryPixel> renderPrimary(const AccelerationStructure& structure,
+std::vector<FilmPixel> renderPrimary(const AccelerationStructure& structure,
                                         std::span<const ShadingMaterial> materials,
                                         std::span<const std::uint32_t> materialOfTriangle,
                                         const Camera& camera,

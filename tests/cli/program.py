@@ -43,6 +43,13 @@ def shared_scenes():
     return folder_of_others("METAMARCH_SCENES", "scenes")
 
 
+def channels_of(integrator):
+    """The channels that README.md promises; image_tests compares its list with the program's table."""
+    listing = re.search(r"^```\nR G B  .*?^```$", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()
+    lines = [line for line in listing.splitlines()[1:-1] if integrator != "primary" or "not by primary" not in line]
+    return {name for line in lines for name in line.split("  ")[0].split()}
+
+
 class ProgramTest(unittest.TestCase):
     """Runs the program in a folder of its own, `self.tmp`, with the Vulkan validation layers on."""
 

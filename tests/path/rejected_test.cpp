@@ -13,8 +13,9 @@ void expectFinite(const std::vector<FilmPixel>& film, const std::uint32_t sample
     for (const FilmPixel& pixel : film) {
         ASSERT_EQ(pixel.samples, samples);
         ASSERT_LE(pixel.rejected, samples);
-        for (const glm::vec3& sum : {pixel.radiance, pixel.squares, pixel.albedo, pixel.normal,
-                                     pixel.shadingNormal, glm::vec3(pixel.depth, pixel.t, pixel.covered)}) {
+        const FirstHit& seen = pixel.seen;
+        for (const glm::vec3& sum : {pixel.radiance, pixel.squares, seen.albedo, seen.normal,
+                                     seen.shadingNormal, glm::vec3(seen.depth, seen.t, pixel.covered)}) {
             for (int c = 0; c < 3; ++c) {
                 ASSERT_TRUE(std::isfinite(sum[c]));
             }

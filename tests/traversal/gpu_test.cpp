@@ -161,7 +161,7 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 // All but steps and tests, bit for bit.
                 different +=
-                    std::memcmp(&result.pixels[i], &expected[i], offsetof(PrimaryPixel, steps)) == 0 ? 0 : 1;
+                    std::memcmp(&result.pixels[i], &expected[i], offsetof(FilmPixel, steps)) == 0 ? 0 : 1;
             }
             EXPECT_EQ(different, 0u) << "pixels";
         }
