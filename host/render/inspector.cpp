@@ -29,14 +29,8 @@ Inspector::Inspector(const vulkan::Device& usedDevice, const SceneBuffers& usedS
     submission.run([&](vulkan::Commands& commands) { commands.fill(pixels, kMissColor); });
 }
 
-Inspector::Reads Inspector::readsOf(const std::uint32_t view) {
-    return view >= kFirstCellsView                              ? Reads::cells
-           : view == kViewAlbedo || view == kViewShadingNormals ? Reads::materials
-                                                                : Reads::hits;
-}
-
-vulkan::ComputePipeline Inspector::makePipeline(const Reads reads) const {
-    vulkan::KernelInfo own{.spirv = reads == Reads::cells ? cellsSpirv : spirv,
+vulkan::ComputePipeline Inspector::makePipeline(const ViewReads reads) const {
+    vulkan::KernelInfo own{.spirv = reads == ViewReads::cells ? cellsSpirv : spirv,
                            .storageBindings = {kBindCamera, kBindOutput},
                            .pushConstantSize = sizeof(InspectPush)};
     const auto bound = [&](vulkan::ComputePipeline pipeline) {
@@ -44,11 +38,11 @@ vulkan::ComputePipeline Inspector::makePipeline(const Reads reads) const {
         pipeline.bind(kBindOutput, pixels);
         return pipeline;
     };
-    if (reads == Reads::cells) {
+    if (reads == ViewReads::cells) {
         return bound(scene.makePipeline(device, "cells", "", own));
     }
     shading.addTo(own);
-    if (reads == Reads::hits) {
+    if (reads == ViewReads::hits) {
         own.specialization[kSpecFeatures] = 0;
     }
     vulkan::ComputePipeline pipeline = scene.makePipeline(device, "inspect", traversal, own);
@@ -62,11 +56,11 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
         throw std::invalid_argument(fmt::format("Inspector: a picture of {} x {} pixels, with room for {}",
                                                 newCamera.width, newCamera.height, mostPixels));
     }
-    if (newView >= kInspectViews || !(newScaleMax > 0.0f)) {
+    if (newView >= kViewNames.size() || !(newScaleMax > 0.0f)) {
         throw std::invalid_argument(
             fmt::format("Inspector: view {} with scale {} is none", newView, newScaleMax));
     }
-    const Reads reads = readsOf(newView);
+    const ViewReads reads = kViewNames[newView].reads;
     auto made = programs.find(reads);
     if (made == programs.end()) {
         made = programs.emplace(reads, Program{makePipeline(reads), WorkSize(kMostTiles)}).first;

@@ -2,6 +2,7 @@
 #pragma once
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
+#include "metamarch/render/view_names.h"
 #include "metamarch/render/work_size.h"
 #include "metamarch/shared/camera.h"
 #include "metamarch/shared/inspect_view.h"
@@ -49,17 +50,12 @@ class Inspector {
     std::vector<std::uint32_t> download() const; // the picture, and no more
 
   private:
-    // What the view's kernel reads. Drivers that run both sides of a branch would look textures up for the
-    // views that want none.
-    enum class Reads { hits, materials, cells };
-
     struct Program {
         vulkan::ComputePipeline pipeline;
         WorkSize work;
     };
 
-    static Reads readsOf(std::uint32_t view);
-    vulkan::ComputePipeline makePipeline(Reads reads) const;
+    vulkan::ComputePipeline makePipeline(ViewReads reads) const;
 
     const vulkan::Device& device;
     const SceneBuffers& scene;
@@ -71,7 +67,7 @@ class Inspector {
     vulkan::Submission submission;
     std::vector<std::uint32_t> spirv; // in place of the embedded shaders; empty: none
     std::vector<std::uint32_t> cellsSpirv;
-    std::map<Reads, Program> programs; // made so far
+    std::map<ViewReads, Program> programs; // made so far
 
     // Of the picture.
     Program* program = nullptr;

@@ -1,4 +1,4 @@
-// The views of inspect_view.h as menus and command lines name them.
+// The views of inspect_view.h: how menus and command lines name them, and what they want.
 #pragma once
 #include "metamarch/shared/inspect_view.h"
 
@@ -8,25 +8,34 @@
 
 namespace metamarch::render {
 
+// What a view's kernel reads. Drivers that run both sides of a branch would look textures up for the views
+// that want none.
+enum class ViewReads { hits, materials, cells };
+
+// What InspectPush::scaleMax is to a view.
+enum class ViewScale { none, count, distance };
+
 struct ViewName {
     std::string_view name;
     std::uint32_t view; // kView…
-    bool isScaled;      // scaleMax matters
+    ViewReads reads;
+    ViewScale scale = ViewScale::none;
 };
 
-inline constexpr std::array<ViewName, kInspectViews> kViewNames = {{
-    {"steps", kViewSteps, true},
-    {"tests", kViewTests, true},
-    {"depth", kViewDepth, true},
-    {"normals", kViewNormals, false},
-    {"shading normals", kViewShadingNormals, false},
-    {"uvs", kViewUvs, false},
-    {"albedo", kViewAlbedo, false},
-    {"triangle id", kViewTriangleId, false},
-    {"material id", kViewMaterialId, false},
-    {"leaf id", kViewLeafId, false},
-    {"cell borders", kViewCellBorders, false},
-    {"exit boxes", kViewExitBoxes, false},
-}};
+// In the order of menus, which is that of the numbers: kViewNames[view] is the view's row.
+inline constexpr auto kViewNames = std::to_array<ViewName>({
+    {"steps", kViewSteps, ViewReads::hits, ViewScale::count},
+    {"tests", kViewTests, ViewReads::hits, ViewScale::count},
+    {"depth", kViewDepth, ViewReads::hits, ViewScale::distance},
+    {"normals", kViewNormals, ViewReads::hits},
+    {"shading normals", kViewShadingNormals, ViewReads::materials},
+    {"uvs", kViewUvs, ViewReads::hits},
+    {"albedo", kViewAlbedo, ViewReads::materials},
+    {"triangle id", kViewTriangleId, ViewReads::hits},
+    {"material id", kViewMaterialId, ViewReads::hits},
+    {"leaf id", kViewLeafId, ViewReads::cells},
+    {"cell borders", kViewCellBorders, ViewReads::cells},
+    {"exit boxes", kViewExitBoxes, ViewReads::cells},
+});
 
 } // namespace metamarch::render

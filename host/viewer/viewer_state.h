@@ -1,8 +1,8 @@
 // What the window's parts share: controls and panels change it, the viewer acts on what has changed.
 #pragma once
 #include "metamarch/image/tone_mapping.h"
+#include "metamarch/render/view_names.h"
 #include "metamarch/settings/render_settings.h"
-#include "metamarch/shared/inspect_view.h"
 #include "metamarch/viewer/pick.h"
 #include "metamarch/viewer/scene_loader.h"
 #include "metamarch/viewer/view_camera.h"
@@ -20,7 +20,9 @@
 namespace metamarch::viewer {
 
 // Whether Settings::heatMax says what the view's hottest colour means.
-inline bool isHeatMap(const std::uint32_t view) { return view == kViewSteps || view == kViewTests; }
+inline bool isHeatMap(const std::uint32_t view) {
+    return render::kViewNames[view].scale == render::ViewScale::count;
+}
 
 // What the user has chosen.
 struct Settings {

@@ -6,28 +6,26 @@
 
 SHARED_BEGIN
 
-// InspectPush::view. What scaleMax means to a view stands beside it.
-const uint kViewSteps = 0u;          // look-ups or nodes visited; of the hottest colour
-const uint kViewTests = 1u;          // triangle tests; of the hottest colour
-const uint kViewDepth = 2u;          // along the view axis; where it is black, in world units
+// InspectPush::view. Each has a row in host/render/view_names.h and a colour in inspect.h or cells.h.
+const uint kViewSteps = 0u;          // look-ups or nodes visited
+const uint kViewTests = 1u;          // triangle tests
+const uint kViewDepth = 2u;          // along the view axis
 const uint kViewNormals = 3u;        // geometric, to the front of the triangle
 const uint kViewShadingNormals = 4u; // with normal map, to the side of the eye
 const uint kViewUvs = 5u;            // the first set of texture coordinates
 const uint kViewAlbedo = 6u;         // base colour
 const uint kViewTriangleId = 7u;
 const uint kViewMaterialId = 8u;
-// Of the kernel `cells`: what the table knows of the place that was hit.
-const uint kFirstCellsView = 9u;
+// What the table knows of the place that was hit.
 const uint kViewLeafId = 9u;
 const uint kViewCellBorders = 10u; // lattice planes, and where they divide leaves
 const uint kViewExitBoxes = 11u;   // of the leaf
-const uint kInspectViews = 12u;
 
 struct InspectPush {
     uint firstTile; // of kTilePixels (primary.h), numbered in rows
     uint tilesPerRow;
     uint view;
-    float scaleMax; // positive
+    float scaleMax; // positive: the count of the hottest colour, or where depth is black, in world units
 };
 
 // Pixels, packed as packedPixel does.

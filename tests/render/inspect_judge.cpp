@@ -1,6 +1,7 @@
 #include "render/inspect_judge.h"
 
 #include "metamarch/reference/twins.h"
+#include "metamarch/render/view_names.h"
 #include "metamarch/shared/cells.h"
 #include "metamarch/shared/inspect.h"
 
@@ -40,7 +41,7 @@ CellFacts cellFacts(const AccelerationStructure& scene, const CellPlace& place) 
 std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const ShadingScene& shading,
                                         const std::string& traversal, const Camera& camera,
                                         const std::uint32_t view, const float scaleMax) {
-    const bool isCells = view >= kFirstCellsView;
+    const bool isCells = render::kViewNames.at(view).reads == render::ViewReads::cells;
     const Twin& twin = findTwin(isCells ? "meta_table" : traversal);
     const Lattice& lattice = scene.kdTree().lattice;
     const InspectPush push{0, 0, view, scaleMax};

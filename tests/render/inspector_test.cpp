@@ -155,7 +155,7 @@ TEST_P(Inspector, drawsWhatTheTwinsDraw) {
                 continue;
             }
             SCOPED_TRACE(viewName.name);
-            const float scaleMax = view == kViewDepth ? sides.reach() : kManySteps;
+            const float scaleMax = viewName.scale == render::ViewScale::distance ? sides.reach() : kManySteps;
             for (const Camera& camera : std::span(cameras).first(isDefault ? 3 : 1)) {
                 const auto expected = sides.onCpu(traversal, camera, view, scaleMax);
                 expectSamePicture(draw(inspector, camera, view, scaleMax), expected, camera.width);
@@ -185,11 +185,11 @@ class InspectorWork : public testing::Test {
 
 TEST_F(InspectorWork, hasANameForEachView) {
     std::set<std::string_view> names;
-    for (std::uint32_t view = 0; view < kInspectViews; ++view) {
+    for (std::uint32_t view = 0; view < render::kViewNames.size(); ++view) {
         EXPECT_EQ(render::kViewNames[view].view, view);
         names.insert(render::kViewNames[view].name);
     }
-    EXPECT_EQ(names.size(), kInspectViews);
+    EXPECT_EQ(names.size(), render::kViewNames.size());
 }
 
 TEST_F(InspectorWork, drawsAnEmptyScene) {
@@ -265,7 +265,8 @@ TEST_F(InspectorWork, refusesWhatItHasNoRoomForAndWhatIsNoView) {
     EXPECT_TRUE(inspector.isWhole());
     EXPECT_TRUE(inspector.download().empty());
     EXPECT_THROW(inspector.start(sides.camera(143, 7), kViewSteps, 1.0f), std::invalid_argument);
-    EXPECT_THROW(inspector.start(sides.camera(10, 10), kInspectViews, 1.0f), std::invalid_argument);
+    EXPECT_THROW(inspector.start(sides.camera(10, 10), render::kViewNames.size(), 1.0f),
+                 std::invalid_argument);
     for (const float scale : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
         EXPECT_THROW(inspector.start(sides.camera(10, 10), kViewSteps, scale), std::invalid_argument);
     }

@@ -1,9 +1,8 @@
 """Traversals, two of them side by side, and the views of the algorithm."""
+import re
+
 from display import LEFT
 from viewer import CORNELL, OBJECTS, ViewerTest, main
-
-VIEWS = ["steps", "tests", "depth", "normals", "shading normals", "uvs", "albedo", "triangle id", "material id", "leaf id",
-         "cell borders", "exit boxes"]
 
 
 class TraversalTest(ViewerTest):
@@ -34,13 +33,20 @@ class TraversalTest(ViewerTest):
         self.assert_shows(viewer, first)
         self.quit(viewer)
 
+    def views(self):
+        """Their names in the order of the menu, as --help lists them."""
+        listing = re.search(r"--view TEXT:\{(.*?)\}", self.succeed("view", "--help"), re.DOTALL).group(1)
+        return [" ".join(name.split()) for name in listing.split(",")]
+
     def test_views(self):
+        views = self.views()
+        self.assertIn("leaf id", views)
         viewer = self.open(OBJECTS, "--spp", "1")
         viewer.wait_for_samples()
         picture = viewer.wait_for_still()
         seen = {}
         before = picture
-        for name in VIEWS:
+        for name in views:
             viewer.key("v")
             viewer.wait_for_title(rf"objects\.glb - {name} - meta_table - metamarch")
             seen[name] = viewer.wait_for_still()
@@ -49,7 +55,7 @@ class TraversalTest(ViewerTest):
         viewer.key("v")
         viewer.wait_for_title(r"objects\.glb - path, 1 of 1 samples - meta_table - metamarch")
         self.assert_shows(viewer, picture)
-        for name in reversed(VIEWS[-2:]):
+        for name in reversed(views[-2:]):
             viewer.key("Shift_L", "v")
             viewer.wait_for_title(rf"objects\.glb - {name} - meta_table - metamarch")
             self.assert_shows(viewer, seen[name])
