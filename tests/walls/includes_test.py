@@ -1,0 +1,83 @@
+"""Every #include of a library names a header of its own, of a library that it links, or of the standard."""
+
+import re
+import sys
+from pathlib import Path
+
+from libraries import read_libraries, visible
+
+# Beginnings of header names, the target that brings them, and the libraries that may use them; none: whoever links it.
+OTHERS = [
+    ("CLI/", "CLI11::CLI11", ["cli"]),
+    ("GLFW/", "glfw", ["viewer"]),
+    ("OpenImageIO/", "OpenImageIO::OpenImageIO", ["image", "scene"]),
+    ("assimp/", "assimp::assimp", ["scene"]),
+    ("backends/imgui_", "PkgConfig::imgui", ["viewer"]),
+    ("draco/", "draco::draco", ["scene"]),
+    ("embree3/", "embree", ["bench"]),
+    ("fmt/", "fmt::fmt", None),
+    ("glm/", "glm::glm", None),
+    ("glslang/", "glslang::glslang", ["viewer"]),
+    ("imgui.h", "PkgConfig::imgui", ["viewer"]),
+    ("meshoptimizer.h", "meshoptimizer::meshoptimizer", ["scene"]),
+    ("nlohmann/", "nlohmann_json::nlohmann_json", None),
+    ("tbb/", "TBB::tbb", None),
+    ("tiny_gltf.h", "TinyGLTF::TinyGLTF", ["scene"]),
+    ("vulkan/", "Vulkan::Vulkan", ["vulkan", "render", "bench", "viewer", "cli"]),
+    ("webp/", "PkgConfig::WEBP", ["scene"]),
+]
+POSIX = ["fcntl.h", "unistd.h", "sys/"]
+# Prints the versions of what the program is built from.
+VERSIONS = "host/cli/version.cpp"
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def complaint(libraries, library, targets, file, bracket, header):
+    """What is wrong with an include, or nothing."""
+    own = re.match(r"metamarch/([^/]+)/(.+)", header)
+    if own:
+        name, path = own.groups()
+        if name != library.name and f"metamarch_{name}" not in targets:
+            return f"{library.name} does not link {name}"
+        if name != library.name and path.split("/")[0] in libraries[name].internal:
+            return f"the header is internal to {name}"
+        if library.name == "shared":
+            return "GLSL reads the headers of shared too, by bare names"
+        return None
+    if bracket == '"':
+        if library.name == "shared":
+            return None if (library.folder / header).is_file() else "no header of shared has this name"
+        # What the build writes for one file.
+        return None if header == "git_commit.h" and str(file).endswith(VERSIONS) else "not a path from metamarch/"
+    if re.fullmatch(r"[a-z0-9_]+", header) or header.startswith(tuple(POSIX)):
+        return None
+    for beginning, target, users in OTHERS:
+        if header.startswith(beginning):
+            if str(file).endswith(VERSIONS):
+                return None
+            if users is not None and library.name not in users:
+                return f"only {', '.join(users)} may include it"
+            return None if target in targets else f"{library.name} does not link {target}"
+    return "tests/walls/includes_test.py does not know whose header it is"
+
+
+def main():
+    libraries = read_libraries(sys.argv[1])
+    complaints = []
+    count = 0
+    for library in libraries.values():
+        targets = visible(libraries, library)
+        for file in library.headers + library.sources:
+            for bracket, header in INCLUDE.findall(Path(file).read_text()):
+                count += 1
+                found = complaint(libraries, library, targets, file, bracket, header)
+                if found:
+                    complaints.append(f"{file}: {header}: {found}")
+    print("\n".join(complaints))
+    print(f"{count} includes of {len(libraries)} libraries, {len(complaints)} behind a wall")
+    assert count > 1000, "too few includes were found"
+    sys.exit(1 if complaints else 0)
+
+
+main()
