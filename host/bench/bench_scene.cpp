@@ -1,5 +1,7 @@
 #include "metamarch/bench/bench_scene.h"
 
+#include "metamarch/bench/structure_cost.h"
+
 #include <algorithm>
 
 namespace metamarch::bench {
@@ -13,7 +15,7 @@ JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view
     return {std::move(name), std::move(view), std::move(set), std::move(judged)};
 }
 
-Row describeRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row describeRow(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                 const std::string& backend, const std::string& device,
                 const std::span<const RayResult> results) {
     Row row{.scene = scene.name,
@@ -36,7 +38,7 @@ Row describeRow(BenchScene& scene, const JudgedRays& rays, const std::string& tr
     };
     row.visitsPerRay = perRay(visits);
     row.testsPerRay = perRay(tests);
-    if (const auto cost = scene.costs.of(traversal)) {
+    if (const auto cost = structureCost(scene.structures, traversal)) {
         row.bytesPerRay = fetchedBytes(*cost, *row.visitsPerRay, *row.testsPerRay);
         row.bytes = cost->bytes;
         row.buildSeconds = cost->buildSeconds;

@@ -4,7 +4,6 @@
 #include "metamarch/bench/cpu_tracer.h"
 #include "metamarch/bench/ray_set.h"
 #include "metamarch/bench/row.h"
-#include "metamarch/bench/structure_cost.h"
 #include "metamarch/shading/shading.h"
 
 #include <string>
@@ -23,7 +22,6 @@ struct BenchScene {
     const AccelerationStructure structure;
     const ShadingData shading;
     const StructureSet structures{structure}; // for the CPU; the device has a set of its own
-    StructureCosts costs{structures};
 };
 
 // Rays and what the judge says of them.
@@ -37,7 +35,7 @@ struct JudgedRays {
 JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view, RaySet set);
 
 // A row but for its speed: names, counts, means of what `results` counted, cost of the structure.
-Row describeRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row describeRow(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                 const std::string& backend, const std::string& device, std::span<const RayResult> results);
 
 } // namespace metamarch::bench

@@ -3,9 +3,7 @@
 #include "metamarch/accel/structure_set.h"
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace metamarch::bench {
@@ -20,19 +18,9 @@ struct StructureCost {
     double buildSeconds;
 };
 
-class StructureCosts {
-  public:
-    explicit StructureCosts(const StructureSet& structureSet) : set(structureSet) {}
-
-    // Builds the structure on the first call. Nothing for traversals whose structure is not known here.
-    std::optional<StructureCost> of(std::string_view traversal);
-
-  private:
-    std::optional<StructureCost> measure(std::string_view traversal) const;
-
-    const StructureSet& set;
-    std::map<std::string, std::optional<StructureCost>, std::less<>> known;
-};
+// Of the structure that shaders/CMakeLists.txt names for a traversal, or for the floor; builds it where that
+// has not been done. Nothing for peers, and where the driver walks a hierarchy of its own.
+std::optional<StructureCost> structureCost(const StructureSet& set, std::string_view traversal);
 
 // Of one ray, from what rays do on average.
 double fetchedBytes(const StructureCost& cost, double visitsPerRay, double testsPerRay);

@@ -1,5 +1,6 @@
 #include "metamarch/render/scene_buffers.h"
 
+#include "metamarch/accel/structure.h"
 #include "metamarch/accel/triangle_box.h"
 #include "metamarch/error/error.h"
 #include "metamarch/vulkan/byte_text.h"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace metamarch::render {
 namespace {
@@ -32,97 +32,12 @@ std::span<const std::byte> bytesOf(const std::vector<T>& values) {
     return std::as_bytes(std::span(values));
 }
 
-} // namespace
-
-// A buffer of a traversal's structure, which several structures may share.
-struct StructurePart {
-    const char* name;
-    std::uint32_t binding;
-    vk::Format format; // of an entry; undefined for constants, which lie in a uniform buffer
-    std::span<const std::byte> (*data)(const StructureSet& set);
-};
-
-namespace {
-
-constexpr vk::Format kOneWord = vk::Format::eR32Uint;
-constexpr vk::Format kTwoWords = vk::Format::eR32G32Uint;
-constexpr vk::Format kFourWords = vk::Format::eR32G32B32A32Uint;
-
-constexpr StructurePart kTreeLeaves = {"leaves", kBindLeaves, kFourWords, [](const StructureSet& set) {
-                                           return bytesOf(set.kdTree().tree.leaves);
-                                       }};
-constexpr StructurePart kExitBoxes = {"exit boxes", kBindLeaves, kFourWords, [](const StructureSet& set) {
-                                          return bytesOf(set.kdTree().table.leaves);
-                                      }};
-constexpr StructurePart kTable = {"meta table", kBindTable, kOneWord,
-                                  [](const StructureSet& set) { return bytesOf(set.kdTree().table.words); }};
-constexpr StructurePart kKdNodes = {"kd-tree nodes", kBindKdNodes, kTwoWords,
-                                    [](const StructureSet& set) { return bytesOf(set.kdTree().tree.nodes); }};
-constexpr StructurePart kKdParents = {"kd-tree parents", kBindKdParents, kFourWords,
-                                      [](const StructureSet& set) { return bytesOf(set.kdParents()); }};
-constexpr StructurePart kKdRopes = {"kd-tree ropes", kBindKdRopes, kOneWord,
-                                    [](const StructureSet& set) { return bytesOf(set.kdRopes()); }};
-constexpr StructurePart kBvhNodes = {"BVH nodes", kBindBvhNodes, kFourWords,
-                                     [](const StructureSet& set) { return bytesOf(set.bvh().nodes); }};
-constexpr StructurePart kGrid = {"grid", kBindGrid, vk::Format::eUndefined, [](const StructureSet& set) {
-                                     return std::as_bytes(std::span(&set.uniformGrid().grid, 1));
-                                 }};
-constexpr StructurePart kGridCells = {"grid cells", kBindGridCells, kTwoWords, [](const StructureSet& set) {
-                                          return bytesOf(set.uniformGrid().cells);
-                                      }};
-
-constexpr StructurePart kRectilinear = {
-    "rectilinear lattice", kBindRectilinear, vk::Format::eUndefined, [](const StructureSet& set) {
-        return std::as_bytes(std::span(&set.rectilinearTable().planes.layout(), 1));
-    }};
-constexpr StructurePart kPlanes = {"planes", kBindPlanes, kOneWord, [](const StructureSet& set) {
-                                       return bytesOf(set.rectilinearTable().planes.planes());
-                                   }};
-constexpr StructurePart kBuckets = {"plane look-ups", kBindBuckets, kOneWord, [](const StructureSet& set) {
-                                        return bytesOf(set.rectilinearTable().planes.buckets());
-                                    }};
-constexpr StructurePart kRectilinearExitBoxes = {
-    "rectilinear exit boxes", kBindLeaves, kFourWords,
-    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.leaves); }};
-constexpr StructurePart kRectilinearTable = {
-    "rectilinear table", kBindTable, kOneWord,
-    [](const StructureSet& set) { return bytesOf(set.rectilinearTable().table.words); }};
-
 using Triangles = std::span<const TriangleRecord>;
 
-Triangles inTreeLeaves(const StructureSet& set) { return set.kdTree().triangles; }
-Triangles inTableLeaves(const StructureSet& set) { return set.kdTree().tableTriangles(); }
+constexpr vk::Format kFourWords = vk::Format::eR32G32B32A32Uint;
 
-// What a traversal walks, and in which order the triangle records lie.
-struct Structure {
-    std::string_view name; // in shaders/CMakeLists.txt
-    Triangles (*triangles)(const StructureSet& set);
-    std::vector<const StructurePart*> parts;
-    bool inBoxes = false; // the driver walks a hierarchy of its own over the records' boxes
-};
-
-const Structure& findStructure(const std::string_view name) {
-    static const Structure kStructures[] = {
-        {"meta_table", inTableLeaves, {&kExitBoxes, &kTable}},
-        {"rectilinear_table",
-         [](const StructureSet& set) -> Triangles { return set.rectilinearTable().table.triangles; },
-         {&kRectilinear, &kPlanes, &kBuckets, &kRectilinearExitBoxes, &kRectilinearTable}},
-        {"kd_tree", inTreeLeaves, {&kTreeLeaves, &kKdNodes}},
-        {"kd_parents", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdParents}},
-        {"kd_ropes", inTreeLeaves, {&kTreeLeaves, &kKdNodes, &kKdRopes}},
-        {"bvh", [](const StructureSet& set) -> Triangles { return set.bvh().triangles; }, {&kBvhNodes}},
-        {"uniform_grid",
-         [](const StructureSet& set) -> Triangles { return set.uniformGrid().triangles; },
-         {&kGrid, &kGridCells}},
-        {"triangles", [](const StructureSet& set) -> Triangles { return set.triangles(); }, {}},
-        {"leaf_triangles", inTreeLeaves, {}},
-        {"boxes", [](const StructureSet& set) -> Triangles { return set.spatialTriangles(); }, {}, true},
-    };
-    const auto found = std::ranges::find(kStructures, name, &Structure::name);
-    if (found == std::end(kStructures)) {
-        throw std::logic_error(fmt::format("no structure '{}'", name));
-    }
-    return *found;
+vk::Format formatOf(const StructurePart& part) {
+    return part.words == 1 ? vk::Format::eR32Uint : part.words == 2 ? vk::Format::eR32G32Uint : kFourWords;
 }
 
 std::vector<vk::AabbPositionsKHR> boxesAround(const Lattice& lattice, const Triangles triangles) {
@@ -139,9 +54,9 @@ std::vector<vk::AabbPositionsKHR> boxesAround(const Lattice& lattice, const Tria
 } // namespace
 
 std::vector<std::string> missingFor(const vulkan::DeviceReport& device, const std::string_view traversal) {
-    const auto shader = std::ranges::find(shaders(), traversal, &Shader::traversal);
-    const bool inBoxes = shader != shaders().end() && findStructure(shader->structure).inBoxes;
-    return inBoxes ? device.missingForRayQuery : std::vector<std::string>();
+    const std::string_view structure = structureOf(traversal);
+    const bool isWalkedByDriver = !structure.empty() && findStructure(structure).isWalkedByDriver;
+    return isWalkedByDriver ? device.missingForRayQuery : std::vector<std::string>();
 }
 
 void requireTraversal(const vulkan::DeviceReport& device, const std::string_view traversal) {
@@ -228,12 +143,13 @@ void SceneBuffers::addStructure(const vulkan::Device& device, const std::string_
     if (!triangles.contains(records.data())) {
         triangles.emplace(records.data(), uploadTriangles(device, records));
     }
-    for (const StructurePart* const part : structure.parts) {
-        if (!parts.contains(part)) {
-            parts.emplace(part, upload(device, part->data(*set), part->name));
+    for (const StructurePart& part : structure.parts) {
+        const std::span<const std::byte> data = part.data(*set);
+        if (!parts.contains(data.data())) {
+            parts.emplace(data.data(), upload(device, data, part.name));
         }
     }
-    if (structure.inBoxes && !boxes) {
+    if (structure.isWalkedByDriver && !boxes) {
         boxes.emplace(device, boxesAround(set->kdTree().lattice, records), "box hierarchy");
     }
 }
@@ -254,17 +170,17 @@ vulkan::ComputePipeline SceneBuffers::makePipeline(const vulkan::Device& device,
     own.uniformBindings.push_back(kBindLattice);
     own.storageBindings.push_back(kBindMaterialOfTriangle);
     own.storageBindings.push_back(kBindMaterials);
-    for (const StructurePart* const part : structure.parts) {
-        if (part->format == vk::Format::eUndefined) {
-            own.uniformBindings.push_back(part->binding);
+    for (const StructurePart& part : structure.parts) {
+        if (part.words == 0) {
+            own.uniformBindings.push_back(part.binding);
         } else {
-            own.texelBindings.emplace(part->binding, part->format);
+            own.texelBindings.emplace(part.binding, formatOf(part));
         }
     }
     for (std::uint32_t i = 0; i < records.buffers.size(); ++i) {
         own.texelBindings.emplace(kBindTriangles + i, kFourWords);
     }
-    if (structure.inBoxes) {
+    if (structure.isWalkedByDriver) {
         own.hierarchyBindings.push_back(kBindBoxes);
     }
     if (memory == Memory::storage) {
@@ -280,13 +196,13 @@ vulkan::ComputePipeline SceneBuffers::makePipeline(const vulkan::Device& device,
     for (const auto& [binding, buffer] : buffers) {
         pipeline.bind(binding, buffer);
     }
-    for (const StructurePart* const part : structure.parts) {
-        pipeline.bind(part->binding, parts.at(part));
+    for (const StructurePart& part : structure.parts) {
+        pipeline.bind(part.binding, parts.at(part.data(*set).data()));
     }
     for (std::uint32_t i = 0; i < records.buffers.size(); ++i) {
         pipeline.bind(kBindTriangles + i, records.buffers[i]);
     }
-    if (structure.inBoxes) {
+    if (structure.isWalkedByDriver) {
         pipeline.bind(kBindBoxes, *boxes);
     }
     return pipeline;
@@ -297,7 +213,7 @@ std::uint64_t SceneBuffers::bytes() const {
     for (const auto& [binding, buffer] : buffers) {
         total += buffer.size();
     }
-    for (const auto& [part, buffer] : parts) {
+    for (const auto& [data, buffer] : parts) {
         total += buffer.size();
     }
     for (const auto& [first, records] : triangles) {

@@ -24,8 +24,6 @@ struct TriangleChunks {
     std::uint32_t triangles; // records in each chunk but the last
 };
 
-struct StructurePart;
-
 // Texel buffers where they are read faster: on llvmpipe. Elsewhere storage buffers, which every device has
 // room in.
 Memory fasterMemory(const vulkan::DeviceReport& device);
@@ -89,7 +87,7 @@ class SceneBuffers {
     std::unique_ptr<StructureSet> set;
     std::map<std::uint32_t, vulkan::Buffer> buffers; // [binding], what every structure has
     // What has been needed so far.
-    mutable std::map<const StructurePart*, vulkan::Buffer> parts;
+    mutable std::map<const std::byte*, vulkan::Buffer> parts; // [first byte on this side]
     mutable std::optional<vulkan::BoxHierarchy> boxes;
     mutable std::map<const TriangleRecord*, TriangleBuffers> triangles; // [first record], one for each order
 };

@@ -25,4 +25,8 @@ std::span<const Shader> shaders();
 // The names that --traversal takes, the default first.
 std::span<const std::string_view> traversals();
 
+// The structure that a traversal walks, or that a kernel reads which takes no traversal; empty where there is
+// none.
+std::string_view structureOf(std::string_view name);
+
 } // namespace metamarch

@@ -2,12 +2,14 @@
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/bvh.h"
+#include "metamarch/accel/kd_links.h"
 #include "metamarch/accel/rectilinear_table.h"
 #include "metamarch/accel/uniform_grid.h"
-#include "metamarch/shared/kd_parent.h"
 
 #include <tbb/collaborative_call_once.h>
 
+#include <chrono>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,34 +18,68 @@ namespace metamarch {
 // Any thread may ask at any time. References are good for the life of the set.
 class StructureSet {
   public:
-    // `kdTree` must outlive the set.
-    explicit StructureSet(const AccelerationStructure& kdTree) : accelerationStructure(kdTree) {}
+    using Triangles = std::vector<TriangleRecord>;
 
-    const AccelerationStructure& kdTree() const { return accelerationStructure; }
-    const std::vector<KdParent>& kdParents() const;
-    const std::vector<std::uint32_t>& kdRopes() const;
-    const Bvh& bvh() const;
-    const UniformGrid& uniformGrid() const;
-    const RectilinearTable& rectilinearTable() const;     // throws what buildRectilinearTable throws
-    const std::vector<TriangleRecord>& triangles() const; // each once, ascending ids
-    // Each once, in the order of the kd-tree's leaves: what lies together in space does so here.
-    const std::vector<TriangleRecord>& spatialTriangles() const;
-
-  private:
+    // What `make` returns of the values of `inputs`. A call throws what `make` throws.
     template <class T>
-    struct Lazy {
-        tbb::collaborative_once_flag once;
-        T value;
+    class Lazy {
+      public:
+        template <class Make, class... Inputs>
+        explicit Lazy(Make make, const Lazy<Inputs>&... inputs)
+            : build([this, make, &inputs...] { timed(make, inputs()...); }) {}
+
+        // A call and not code of the loops of src/reference, which inline all else.
+        [[gnu::noinline]] const T& operator()() const {
+            tbb::collaborative_call_once(once, build);
+            return *value;
+        }
+
+        // Wall time that building took; what `inputs` took is not in it.
+        double seconds() const {
+            (*this)();
+            return buildSeconds;
+        }
+
+      private:
+        template <class Make, class... Inputs>
+        void timed(const Make& make, const Inputs&... inputs) const {
+            const auto start = std::chrono::steady_clock::now();
+            value = make(inputs...);
+            buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        }
+
+        std::function<void()> build;
+        mutable tbb::collaborative_once_flag once;
+        mutable std::optional<T> value;
+        mutable double buildSeconds = 0.0;
     };
 
-    const AccelerationStructure& accelerationStructure;
-    mutable Lazy<std::vector<KdParent>> lazyParents;
-    mutable Lazy<std::vector<std::uint32_t>> lazyRopes;
-    mutable Lazy<Bvh> lazyBvh;
-    mutable Lazy<UniformGrid> lazyGrid;
-    mutable Lazy<std::optional<RectilinearTable>> lazyRectilinear;
-    mutable Lazy<std::vector<TriangleRecord>> lazyTriangles;
-    mutable Lazy<std::vector<TriangleRecord>> lazySpatialTriangles;
+    // `usedStructure` must outlive the set.
+    explicit StructureSet(const AccelerationStructure& usedStructure) : structure(usedStructure) {}
+
+    const AccelerationStructure& kdTree() const { return structure; }
+
+    // Each once, ascending ids.
+    const Lazy<Triangles> triangles{[this] { return uniqueTriangles(structure.triangles); }};
+    // Each once, in the order of the kd-tree's leaves: what lies together in space does so here.
+    const Lazy<Triangles> spatialTriangles{[this] { return firstOccurrences(structure.triangles); }};
+
+    const Lazy<std::vector<KdParent>> kdParents{
+        [this] { return linkParents(structure.lattice, structure.tree); }};
+    const Lazy<std::vector<std::uint32_t>> kdRopes{[this] { return tieRopes(structure.tree); }};
+    const Lazy<Bvh> bvh{[this](const Triangles& records) { return buildBvh(structure.lattice, records); },
+                        triangles};
+    const Lazy<UniformGrid> uniformGrid{
+        [this](const Triangles& records) { return buildUniformGrid(structure.lattice, records); }, triangles};
+    const Lazy<RectilinearTable> rectilinearTable{
+        [this](const Triangles& records) { return makeRectilinearTable(records); }, triangles};
+
+  private:
+    static Triangles uniqueTriangles(Triangles records);
+    static Triangles firstOccurrences(const Triangles& records);
+    RectilinearTable makeRectilinearTable(const Triangles& records) const;
+
+    const AccelerationStructure& structure;
 };
 
 } // namespace metamarch
