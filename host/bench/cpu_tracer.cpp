@@ -44,10 +44,10 @@ Judgement judge(const AccelerationStructure& structure, const std::span<const Ra
 }
 
 TimedRun traceInOneThread(const StructureSet& structures, const std::span<const RayQuery> rays,
-                          const HitQuery query, const Twin& twin) {
+                          const HitQuery query, TwinFunction& twin) {
     return runInOneThread(rays.size(), [&](const std::size_t i) {
         const Ray ray = makeRay(structures.kdTree().lattice, rays[i]);
-        return resultOf(ray, twin.trace(structures, ray, query));
+        return resultOf(ray, twin(structures, ray, query));
     });
 }
 

@@ -24,7 +24,7 @@ struct TimedRun {
 
 // Ray set-up and traversal, one ray after the other in one thread, as the kernel `rays` does it.
 TimedRun traceInOneThread(const StructureSet& structures, std::span<const RayQuery> rays, HitQuery query,
-                          const Twin& twin);
+                          TwinFunction& twin);
 
 // The same when the record that each ray hits is known, as the kernel `floor` does it.
 TimedRun traceFloorInOneThread(const AccelerationStructure& structure, std::span<const RayQuery> rays,

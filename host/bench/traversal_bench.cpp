@@ -22,7 +22,7 @@ TimedRun timedRun(Tracer& tracer, const auto&... input) {
 
 // The row of what `run` does, which is judged before it is measured.
 template <class RunOnce>
-Row measuredRow(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row measuredRow(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                 const std::string& backend, const std::string& device, const HitTolerance& tolerance,
                 const Protocol& protocol, const RunOnce& run) {
     const std::vector<RayResult> results = run().results;
@@ -47,7 +47,7 @@ HitTolerance deviceTolerance(const vulkan::Device& device, const BenchScene& sce
 
 } // namespace
 
-Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row benchOnDevice(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
                   const Protocol& protocol) {
     render::RayTracer tracer(device, buffers, traversal, rays.set.query == HitQuery::any);
@@ -55,15 +55,15 @@ Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& 
                        [&] { return timedRun(tracer, rays.set.rays); });
 }
 
-Row benchOnCpu(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row benchOnCpu(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                const Protocol& protocol) {
-    const Twin& twin = findTwin(traversal, Invariants::unchecked);
+    const TwinLoop& twin = findTwin(traversal);
     return measuredRow(scene, rays, traversal, "cpu", kOneThread, {}, protocol, [&] {
-        return traceInOneThread(scene.structures, rays.set.rays, rays.set.query, twin);
+        return traceInOneThread(scene.structures, rays.set.rays, rays.set.query, *twin.unchecked);
     });
 }
 
-Row benchFloorOnDevice(BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
+Row benchFloorOnDevice(const BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
                        const render::SceneBuffers& buffers, const Protocol& protocol) {
     render::FloorTracer tracer(device, buffers);
     Row row = measuredRow(scene, rays, kFloor, "gpu", device.name(), deviceTolerance(device, scene), protocol,
@@ -72,7 +72,7 @@ Row benchFloorOnDevice(BenchScene& scene, const JudgedRays& rays, const vulkan::
     return row;
 }
 
-Row benchFloorOnCpu(BenchScene& scene, const JudgedRays& rays, const Protocol& protocol) {
+Row benchFloorOnCpu(const BenchScene& scene, const JudgedRays& rays, const Protocol& protocol) {
     Row row = measuredRow(scene, rays, kFloor, "cpu", kOneThread, {}, protocol, [&] {
         return traceFloorInOneThread(scene.structure, rays.set.rays, rays.judged.slots);
     });

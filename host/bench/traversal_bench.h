@@ -8,17 +8,17 @@ namespace metamarch::bench {
 
 // All trace the rays once, compare the hits with the judge's and only then measure. They throw
 // Error(mismatch), saying how many rays differ, where the hits are not the judge's.
-Row benchOnDevice(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row benchOnDevice(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
                   const Protocol& protocol);
 
 // `traversal` must have a twin.
-Row benchOnCpu(BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
+Row benchOnCpu(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                const Protocol& protocol);
 
 // The rows kFloor.
-Row benchFloorOnDevice(BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
+Row benchFloorOnDevice(const BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
                        const render::SceneBuffers& buffers, const Protocol& protocol);
-Row benchFloorOnCpu(BenchScene& scene, const JudgedRays& rays, const Protocol& protocol);
+Row benchFloorOnCpu(const BenchScene& scene, const JudgedRays& rays, const Protocol& protocol);
 
 } // namespace metamarch::bench

@@ -1,4 +1,5 @@
 #include "metamarch/reference/triangle_records.h"
+#include "metamarch/reference/twins.h"
 
 namespace metamarch {
 
@@ -15,4 +16,16 @@ namespace metamarch {
     return trace;
 }
 
+namespace brute_force {
+namespace {
+
+TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
+    return traceBruteForce(structures.triangles(), ray, query);
+}
+
+} // namespace
+
+extern const TwinLoop kLoop{traverse, traverse};
+
+} // namespace brute_force
 } // namespace metamarch

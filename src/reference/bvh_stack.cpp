@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace metamarch {
+namespace metamarch::bvh_stack {
 namespace {
 
 struct Pending {
@@ -13,14 +13,13 @@ struct Pending {
     float tNear;
 };
 
-} // namespace
-
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const Bvh& bvh = structures.bvh();
     std::array<Pending, kMaxBvhDepth> stack;
     std::size_t stackSize = 0;
     std::uint32_t child = 0;
@@ -57,7 +56,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceBvhStack<Invariants::checked>(const Bvh&, const Ray&, HitQuery);
-template TraceResult traceBvhStack<Invariants::unchecked>(const Bvh&, const Ray&, HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::bvh_stack

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 
-namespace metamarch {
+namespace metamarch::kd_backtrack {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceKdBacktrack(const AccelerationStructure& scene,
-                                              const std::span<const KdParent> parents, const Ray& ray,
-                                              const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const AccelerationStructure& scene = structures.kdTree();
+    const std::span<const KdParent> parents = structures.kdParents();
     std::uint32_t nodeId = 0;
     float tNear = ray.tNear;
     float tFar = ray.tFar;
@@ -48,9 +49,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceKdBacktrack<Invariants::checked>(const AccelerationStructure&,
-                                                           std::span<const KdParent>, const Ray&, HitQuery);
-template TraceResult traceKdBacktrack<Invariants::unchecked>(const AccelerationStructure&,
-                                                             std::span<const KdParent>, const Ray&, HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::kd_backtrack

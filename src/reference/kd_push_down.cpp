@@ -3,15 +3,16 @@
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/kd_walk.h"
 
-namespace metamarch {
+namespace metamarch::kd_push_down {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray,
-                                             const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const AccelerationStructure& scene = structures.kdTree();
     std::uint32_t restartId = 0;
     float tNear = ray.tNear;
     while (true) {
@@ -41,8 +42,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceKdPushDown<Invariants::checked>(const AccelerationStructure&, const Ray&, HitQuery);
-template TraceResult traceKdPushDown<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
-                                                            HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::kd_push_down

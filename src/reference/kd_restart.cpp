@@ -3,15 +3,16 @@
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/kd_walk.h"
 
-namespace metamarch {
+namespace metamarch::kd_restart {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray,
-                                            const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const AccelerationStructure& scene = structures.kdTree();
     float tNear = ray.tNear;
     while (true) {
         std::uint32_t nodeId = 0;
@@ -37,8 +38,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceKdRestart<Invariants::checked>(const AccelerationStructure&, const Ray&, HitQuery);
-template TraceResult traceKdRestart<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
-                                                           HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::kd_restart

@@ -3,16 +3,17 @@
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/kd_rope.h"
 
-namespace metamarch {
+namespace metamarch::kd_ropes {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceKdRopes(const AccelerationStructure& scene,
-                                          const std::span<const std::uint32_t> ropes, const Ray& ray,
-                                          const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const AccelerationStructure& scene = structures.kdTree();
+    const std::span<const std::uint32_t> ropes = structures.kdRopes();
     ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(scene.lattice.resolution));
     std::uint32_t nodeId = 0;
     while (true) {
@@ -43,10 +44,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceKdRopes<Invariants::checked>(const AccelerationStructure&,
-                                                       std::span<const std::uint32_t>, const Ray&, HitQuery);
-template TraceResult traceKdRopes<Invariants::unchecked>(const AccelerationStructure&,
-                                                         std::span<const std::uint32_t>, const Ray&,
-                                                         HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::kd_ropes

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace metamarch {
+namespace metamarch::kd_short_stack {
 namespace {
 
 constexpr std::size_t kEntries = 4;
@@ -16,15 +16,13 @@ struct Pending {
     float tFar;
 };
 
-} // namespace
-
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray,
-                                               const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const AccelerationStructure& scene = structures.kdTree();
     std::array<Pending, kEntries> ring; // the newest at ring[newest]
     std::size_t newest = 0;
     std::size_t size = 0;
@@ -70,9 +68,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceKdShortStack<Invariants::checked>(const AccelerationStructure&, const Ray&,
-                                                            HitQuery);
-template TraceResult traceKdShortStack<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
-                                                              HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::kd_short_stack

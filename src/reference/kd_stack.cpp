@@ -1,4 +1,5 @@
 #include "metamarch/reference/triangle_records.h"
+#include "metamarch/reference/twins.h"
 
 #include <array>
 
@@ -68,4 +69,16 @@ struct Pending {
     }
 }
 
+namespace kd_stack {
+namespace {
+
+TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
+    return traceKdStack(structures.kdTree(), ray, query);
+}
+
+} // namespace
+
+extern const TwinLoop kLoop{traverse, traverse};
+
+} // namespace kd_stack
 } // namespace metamarch

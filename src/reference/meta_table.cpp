@@ -1,4 +1,5 @@
 #include "metamarch/reference/meta_table_march.h"
+#include "metamarch/reference/twins.h"
 
 namespace metamarch {
 
@@ -12,4 +13,17 @@ template TraceResult traceMetaTable<Invariants::checked>(const AccelerationStruc
 template TraceResult traceMetaTable<Invariants::unchecked>(const AccelerationStructure&, const Ray&,
                                                            HitQuery);
 
+namespace meta_table {
+namespace {
+
+template <Invariants invariants>
+TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
+    return traceMetaTable<invariants>(structures.kdTree(), ray, query);
+}
+
+} // namespace
+
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace meta_table
 } // namespace metamarch

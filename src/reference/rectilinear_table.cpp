@@ -3,15 +3,16 @@
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/march.h"
 
-namespace metamarch {
+namespace metamarch::rectilinear_table {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceRectilinearTable(const RectilinearTable& scene, const Ray& ray,
-                                                   const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const RectilinearTable& scene = structures.rectilinearTable();
     const RectilinearPlanes& planes = scene.planes;
     const uvec3 resolution = planes.layout().resolution;
     const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
@@ -40,9 +41,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceRectilinearTable<Invariants::checked>(const RectilinearTable&, const Ray&,
-                                                                HitQuery);
-template TraceResult traceRectilinearTable<Invariants::unchecked>(const RectilinearTable&, const Ray&,
-                                                                  HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::rectilinear_table

@@ -1,5 +1,5 @@
 // The CPU twins of the traversals of shaders/traversal: the same algorithm, step for step, with the same
-// counters. Twins throw std::logic_error where an invariant of their loop is checked and broken.
+// counters.
 #pragma once
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/reference/trace.h"
@@ -9,36 +9,26 @@
 
 namespace metamarch {
 
-struct Twin {
-    std::string_view traversal; // the name in traversals()
-    TraceResult (*trace)(const StructureSet& scene, const Ray& ray, HitQuery query);
+using TwinFunction = TraceResult(const StructureSet& structures, const Ray& ray, HitQuery query);
+
+// What <name>.cpp of a twin defines: metamarch::<name>::kLoop, one loop compiled twice.
+struct TwinLoop {
+    TwinFunction* checked;   // throws std::logic_error where an invariant of the loop is broken
+    TwinFunction* unchecked; // for benchmarks
 };
 
-std::span<const Twin> twins(Invariants invariants = Invariants::checked);
+struct Twin {
+    std::string_view traversal; // the name in traversals()
+    TwinLoop loop;
+};
+
+// In the order of src/reference/CMakeLists.txt.
+std::span<const Twin> twins();
 
 // Not those that leave the walk to the driver.
 bool hasTwin(std::string_view traversal);
 
 // Throws std::out_of_range for a traversal without a twin.
-const Twin& findTwin(std::string_view traversal, Invariants invariants = Invariants::checked);
-
-template <Invariants invariants = Invariants::checked>
-TraceResult traceKdRestart(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceKdPushDown(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceKdShortStack(const AccelerationStructure& scene, const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceKdBacktrack(const AccelerationStructure& scene, std::span<const KdParent> parents,
-                             const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceKdRopes(const AccelerationStructure& scene, std::span<const std::uint32_t> ropes,
-                         const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceBvhStack(const Bvh& bvh, const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceRectilinearTable(const RectilinearTable& scene, const Ray& ray, HitQuery query);
-template <Invariants invariants = Invariants::checked>
-TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, HitQuery query);
+const TwinLoop& findTwin(std::string_view traversal);
 
 } // namespace metamarch

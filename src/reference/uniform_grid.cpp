@@ -3,14 +3,16 @@
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/grid_walk.h"
 
-namespace metamarch {
+namespace metamarch::uniform_grid {
+namespace {
 
 template <Invariants invariants>
-[[gnu::flatten]] TraceResult traceUniformGrid(const UniformGrid& grid, const Ray& ray, const HitQuery query) {
+[[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
     TraceResult trace = startTrace(ray);
     if (ray.tMax < ray.tMin) {
         return trace;
     }
+    const UniformGrid& grid = structures.uniformGrid();
     const Ray gridRay = inGrid(grid.grid, ray);
     const uvec3 resolution = grid.grid.resolution;
     const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
@@ -28,7 +30,8 @@ template <Invariants invariants>
     }
 }
 
-template TraceResult traceUniformGrid<Invariants::checked>(const UniformGrid&, const Ray&, HitQuery);
-template TraceResult traceUniformGrid<Invariants::unchecked>(const UniformGrid&, const Ray&, HitQuery);
+} // namespace
 
-} // namespace metamarch
+extern const TwinLoop kLoop{traverse<Invariants::checked>, traverse<Invariants::unchecked>};
+
+} // namespace metamarch::uniform_grid

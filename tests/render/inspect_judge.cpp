@@ -42,7 +42,7 @@ std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const Shading
                                         const std::string& traversal, const Camera& camera,
                                         const std::uint32_t view, const float scaleMax) {
     const bool isCells = render::kViewNames.at(view).reads == render::ViewReads::cells;
-    const Twin& twin = findTwin(isCells ? "meta_table" : traversal);
+    const TwinLoop& twin = findTwin(isCells ? "meta_table" : traversal);
     const Lattice& lattice = scene.kdTree().lattice;
     const InspectPush push{0, 0, view, scaleMax};
     std::vector<std::uint32_t> picture(std::size_t{camera.width} * camera.height);
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const Shading
         for (uint x = 0; x < camera.width; ++x) {
             const CameraRay seen = centerRay(camera, x, y);
             const Ray ray = makeRay(lattice, seen.origin, 0.0f, seen.dir, kFarthest);
-            const TraceResult trace = twin.trace(scene, ray, HitQuery::closest);
+            const TraceResult trace = twin.checked(scene, ray, HitQuery::closest);
             const Inspected found{seen, ray, trace.hit, trace.steps, trace.tests};
             const bool isHit = trace.hit.triangleId != kNoTriangle;
             const TriangleRecord triangle = isHit ? recordOf(scene, trace.hit.triangleId) : TriangleRecord();

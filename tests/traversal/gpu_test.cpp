@@ -92,7 +92,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
     });
     const std::span<const RayQuery> few = std::span(rays).first(kBruteForceRays);
     const auto brute = traceAll(structure.lattice, few, [&](const Ray& ray) {
-        return findTwin(kBruteForce).trace(structures, ray, HitQuery::closest);
+        return findTwin(kBruteForce).checked(structures, ray, HitQuery::closest);
     });
     expectSameHits(few, std::span(stack).first(kBruteForceRays), brute, Counters::ignored);
     const auto hits = std::count_if(stack.begin(), stack.end(),
@@ -114,7 +114,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
         }
         const auto twin = [&](const HitQuery query) {
             return traceAll(structure.lattice, some, [&](const Ray& ray) {
-                return findTwin(traversal).trace(structures, ray, query);
+                return findTwin(traversal).checked(structures, ray, query);
             });
         };
         const auto closest = twin(HitQuery::closest);

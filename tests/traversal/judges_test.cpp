@@ -114,8 +114,9 @@ TEST_P(Judges, agreeOnTrickyRays) {
                                     [&](const Ray& ray) { return traceBruteForce(triangles, ray, query); });
         for (const Twin& twin : twins()) {
             SCOPED_TRACE(twin.traversal);
-            const auto results = traceAll(structure.lattice, rays,
-                                          [&](const Ray& ray) { return twin.trace(structures, ray, query); });
+            const auto results = traceAll(structure.lattice, rays, [&](const Ray& ray) {
+                return twin.loop.checked(structures, ray, query);
+            });
             if (query == HitQuery::closest) {
                 expectSameHits(rays, results, brute, Counters::ignored);
             } else {

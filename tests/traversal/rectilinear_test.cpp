@@ -78,8 +78,7 @@ TEST_P(Rectilinear, findsWhatBruteForceFindsFromPlaneToPlane) {
         options.exitBoxes = exitBoxes;
         const AccelerationStructure structure = buildAccelerationStructure(scene, options);
         const StructureSet structures(structure);
-        const RectilinearTable& table = structures.rectilinearTable();
-        PlaneRays maker(structure.lattice, table.planes);
+        PlaneRays maker(structure.lattice, structures.rectilinearTable().planes);
         std::vector<RayQuery> rays(kRays);
         std::ranges::generate(rays, [&] { return maker.make(); });
         for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
@@ -87,7 +86,7 @@ TEST_P(Rectilinear, findsWhatBruteForceFindsFromPlaneToPlane) {
                 return traceBruteForce(structures.triangles(), ray, query);
             });
             const auto results = traceAll(structure.lattice, rays, [&](const Ray& ray) {
-                return traceRectilinearTable<Invariants::checked>(table, ray, query);
+                return findTwin("rectilinear_table").checked(structures, ray, query);
             });
             if (query == HitQuery::closest) {
                 expectSameHits(rays, results, brute, Counters::ignored);
@@ -131,8 +130,7 @@ TEST(RectilinearInAStadium, testsFewTriangles) {
         return traceMetaTable<Invariants::checked>(structure, ray, HitQuery::closest);
     });
     const auto uneven = traceAll(structure.lattice, rays, [&](const Ray& ray) {
-        return traceRectilinearTable<Invariants::checked>(structures.rectilinearTable(), ray,
-                                                          HitQuery::closest);
+        return findTwin("rectilinear_table").checked(structures, ray, HitQuery::closest);
     });
     expectSameHits(rays, uneven, uniform, Counters::ignored);
     EXPECT_GT(uniform[0].tests, 500u);
