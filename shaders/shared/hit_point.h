@@ -5,21 +5,15 @@
 
 SHARED_BEGIN
 
-// Weights of the three corners where the ray meets the triangle, which it does; they sum to 1. The same
-// formulas as intersectTriangle.
+// Weights of the three corners where the ray meets the triangle, which it does; they sum to 1. As
+// intersectTriangle has them where it computes them without cancellation.
 SHARED_FN vec3 cornerWeights(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
-    const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
-    const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
-    const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
-    const float ax = a.x - ray.shear.x * a.z;
-    const float ay = a.y - ray.shear.y * a.z;
-    const float bx = b.x - ray.shear.x * b.z;
-    const float by = b.y - ray.shear.y * b.z;
-    const float cx = c.x - ray.shear.x * c.z;
-    const float cy = c.y - ray.shear.y * c.z;
-    const float u = abs(differenceOfProducts(cx, by, cy, bx));
-    const float v = abs(differenceOfProducts(ax, cy, ay, cx));
-    const float w = abs(differenceOfProducts(bx, ay, by, ax));
+    const vec3 a = shearCorner(ray, v0);
+    const vec3 b = shearCorner(ray, v1);
+    const vec3 c = shearCorner(ray, v2);
+    const float u = abs(differenceOfProducts(c.x, b.y, c.y, b.x));
+    const float v = abs(differenceOfProducts(a.x, c.y, a.y, c.x));
+    const float w = abs(differenceOfProducts(b.x, a.y, b.y, a.x));
     const float sum = u + v + w;
     const float scale = 1.0f / (sum > 0.0f ? sum : 1.0f);
     return sum > 0.0f ? vec3(u * scale, v * scale, w * scale) : vec3(1.0f, 0.0f, 0.0f);

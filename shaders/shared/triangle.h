@@ -50,6 +50,13 @@ SHARED_FN bool haveBothSigns(const float u, const float v, const float w) {
     return largestBits > kMinusZero && largestInt > 0;
 }
 
+// A corner as the ray sees it: moved across the ray by the shear; z is its depth.
+SHARED_FN vec3 shearCorner(const Ray ray, const vec3 corner) {
+    const vec3 p = inOrder(corner - ray.origin, ray.lastAxis);
+    const vec3 sheared = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, p.z);
+    return sheared;
+}
+
 // Where the ray hits the triangle, or kNoHit.
 // S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 //
@@ -62,31 +69,24 @@ SHARED_FN bool haveBothSigns(const float u, const float v, const float w) {
 // being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
 // weights are computed again without cancellation. accel/README.md says who relies on it.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
-    const vec3 a = inOrder(v0 - ray.origin, ray.lastAxis);
-    const vec3 b = inOrder(v1 - ray.origin, ray.lastAxis);
-    const vec3 c = inOrder(v2 - ray.origin, ray.lastAxis);
-    const float ax = a.x - ray.shear.x * a.z;
-    const float ay = a.y - ray.shear.y * a.z;
-    const float bx = b.x - ray.shear.x * b.z;
-    const float by = b.y - ray.shear.y * b.z;
-    const float cx = c.x - ray.shear.x * c.z;
-    const float cy = c.y - ray.shear.y * c.z;
-
-    float u = cx * by - cy * bx;
-    float v = ax * cy - ay * cx;
-    float w = bx * ay - by * ax;
+    const vec3 a = shearCorner(ray, v0);
+    const vec3 b = shearCorner(ray, v1);
+    const vec3 c = shearCorner(ray, v2);
+    float u = c.x * b.y - c.y * b.x;
+    float v = a.x * c.y - a.y * c.x;
+    float w = b.x * a.y - b.y * a.x;
     if (haveBothSigns(u, v, w)) {
         return kNoHit;
     }
     float det = u + v + w;
 
     const float reach = uintBitsToFloat(
-        max(max(max(magnitudeBits(ax), magnitudeBits(ay)), max(magnitudeBits(bx), magnitudeBits(by))),
-            max(magnitudeBits(cx), magnitudeBits(cy))));
+        max(max(max(magnitudeBits(a.x), magnitudeBits(a.y)), max(magnitudeBits(b.x), magnitudeBits(b.y))),
+            max(magnitudeBits(c.x), magnitudeBits(c.y))));
     if (!(reach * reach * reach <= abs(det) * ray.extent)) {
-        u = differenceOfProducts(cx, by, cy, bx);
-        v = differenceOfProducts(ax, cy, ay, cx);
-        w = differenceOfProducts(bx, ay, by, ax);
+        u = differenceOfProducts(c.x, b.y, c.y, b.x);
+        v = differenceOfProducts(a.x, c.y, a.y, c.x);
+        w = differenceOfProducts(b.x, a.y, b.y, a.x);
         if (haveBothSigns(u, v, w)) {
             return kNoHit;
         }
