@@ -1,6 +1,8 @@
 // The path tracer, one invocation a pixel. Each turn of the loop takes a path to its next surface and on; a
 // path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
-// neighbours' longer paths, and no state of a path ever leaves the registers.
+// neighbours' longer paths, and no state of a path ever leaves the registers. A
+// processor has no such neighbours: src/reference/path.cpp has a plain loop over the surfaces of one sample.
+// What both do in a turn is in shared/path.h.
 #include "lib/shading.glsl"
 #include "lib/tiles.glsl"
 #include "shared/film.h"
@@ -15,7 +17,8 @@ layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
 layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus status; };
 layout(push_constant) uniform PushBlock { PathPush push; };
 
-// The closest triangle that is there for this path, or any.
+// The closest triangle that is there for this path, or any. The CPU's loop leaves in its middle; this one
+// does all under a condition and ends at its end, as llvmpipe wants it.
 Trace traceSolid(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
     Trace trace = startTrace(given);
     if (!hasFeature(kFeatureAlpha)) {
@@ -53,63 +56,44 @@ void main() {
     if (push.isFresh == 0u) {
         sum = film[index];
     }
-    PixelSample at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
-    Path path = cameraPath(camera, pixel.x, pixel.y, at);
-    FirstHit first = missFirst();
+    // A sample that the driver ends is taken anew, and counts once.
+    PathSample taken = startSample(camera, settings, pixel.x, pixel.y, sum.samples);
     bool isOn = sum.samples < push.endSample;
-    // Of the sample on its way: one that the driver ends is taken anew, and counts once.
-    uint rays = 0u;
-    uint shadowRays = 0u;
-    float steps = 0.0;
-    float tests = 0.0;
 
-    // Holds here: `sum` has every sample before sum.samples, of which `path` is on its way.
+    // Holds here: `sum` has every sample before sum.samples, which is on its way in `taken`.
     do {
         if (isOn) {
+            const Path path = taken.path;
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
-            const Trace trace = traceSolid(ray, false, at, bounceDimension(path.bounce, kBounceAlpha));
+            const Trace trace = traceSolid(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha));
             bool isWhole = trace.finished;
-            steps += float(trace.steps);
-            tests += float(trace.tests);
-            ++rays;
+            taken.steps += float(trace.steps);
+            taken.tests += float(trace.tests);
+            ++taken.rays;
             if (trace.hit.triangleId == kNoTriangle) {
-                path = leaveScene(settings, path);
+                taken.path = leaveScene(settings, path);
             } else {
                 const TriangleRecord triangle = loadTriangle(trace.slot);
                 const float t = ray.shift + trace.hit.t;
-                const PathStep step = meetSurface(settings, path, ray, t, triangle, at);
-                if (path.bounce == 0u) {
-                    first = firstHit(step, camera.forward, path.dir, t, trace.hit.triangleId);
-                }
-                const uint bounce = path.bounce;
-                path = step.path;
+                const PathStep step = meetSurface(settings, path, ray, t, triangle, taken.at);
+                taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
                 if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
                     const ShadowRay shadow = step.shadow;
                     const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);
                     const Trace blocker =
-                        traceSolid(toLight, true, at, bounceDimension(bounce, kBounceLightAlpha));
+                        traceSolid(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha));
                     isWhole = isWhole && blocker.finished;
-                    steps += float(blocker.steps);
-                    tests += float(blocker.tests);
-                    ++shadowRays;
+                    taken.steps += float(blocker.steps);
+                    taken.tests += float(blocker.tests);
+                    ++taken.shadowRays;
                     if (blocker.hit.triangleId == kNoTriangle) {
-                        path.radiance += shadow.gain;
+                        taken.path.radiance += shadow.gain;
                     }
                 }
             }
-            if (isWhole && !path.isAlive) {
-                sum = addSample(sum, path.radiance, first);
-                sum.rays += rays;
-                sum.shadowRays += shadowRays;
-                sum.steps += steps;
-                sum.tests += tests;
-                rays = 0u;
-                shadowRays = 0u;
-                steps = 0.0;
-                tests = 0.0;
-                at = makePixelSample(pixel.x, pixel.y, sum.samples, settings.seed);
-                path = cameraPath(camera, pixel.x, pixel.y, at);
-                first = missFirst();
+            if (isWhole && !taken.path.isAlive) {
+                sum = endSample(sum, taken);
+                taken = startSample(camera, settings, pixel.x, pixel.y, sum.samples);
             }
             isOn = isWhole && sum.samples < push.endSample;
         }

@@ -64,6 +64,45 @@ SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const
     return startPath(view.origin, view.dir, cameraCone(camera, view.dir));
 }
 
+// One sample of a pixel on its way.
+struct PathSample {
+    PixelSample at;
+    Path path;
+    FirstHit first;
+    uint rays; // traced so far, shadow rays apart
+    uint shadowRays;
+    float steps; // of all rays
+    float tests;
+};
+
+SHARED_FN PathSample startSample(const Camera camera, const PathSettings settings, const uint x, const uint y,
+                                 const uint index) {
+    const PixelSample at = makePixelSample(x, y, index, settings.seed);
+    return PathSample(at, cameraPath(camera, x, y, at), missFirst(), 0u, 0u, 0.0f, 0.0f);
+}
+
+// The sample after `step`, which its path took at the triangle at distance `t`.
+SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, const PathStep step,
+                               const float t, const uint triangleId) {
+    PathSample next = arriving;
+    next.path = step.path;
+    if (arriving.path.bounce == 0u) {
+        const float depth = t * dotProduct(arriving.path.dir, camera.forward);
+        next.first = FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal, depth);
+    }
+    return next;
+}
+
+// The sums of a pixel with a sample whose path has ended.
+SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
+    FilmPixel added = addSample(sum, ended.path.radiance, ended.first);
+    added.rays = sum.rays + ended.rays;
+    added.shadowRays = sum.shadowRays + ended.shadowRays;
+    added.steps = sum.steps + ended.steps;
+    added.tests = sum.tests + ended.tests;
+    return added;
+}
+
 // The weight of light that the BSDF's direction found with density `own` and light sampling finds with
 // density `other`, 0 for never.
 SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other) {
@@ -224,13 +263,6 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     next.isAlive = next.isAlive && !isLast;
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);
-}
-
-// Of a camera ray along `dir` that met a surface at `t`.
-SHARED_FN FirstHit firstHit(const PathStep step, const vec3 viewAxis, const vec3 dir, const float t,
-                            const uint triangleId) {
-    return FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal,
-                    t * dotProduct(dir, viewAxis));
 }
 
 SHARED_END

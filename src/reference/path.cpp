@@ -15,7 +15,8 @@ struct Render {
     const Camera& camera;
 };
 
-// The closest triangle that is there for this path, or any.
+// The closest triangle that is there for this path, or any. kernels/path.glsl has a loop that llvmpipe can
+// run.
 TraceResult traceSolid(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
                        const uint dimension) {
     if (!hasFeature(render.scene, kFeatureAlpha)) {
@@ -36,46 +37,43 @@ TraceResult traceSolid(const Render& render, const Ray& given, const HitQuery qu
     }
 }
 
-void count(FilmPixel& sum, const TraceResult& trace) {
-    sum.steps += static_cast<float>(trace.steps);
-    sum.tests += static_cast<float>(trace.tests);
+void count(PathSample& taken, const TraceResult& trace) {
+    taken.steps += static_cast<float>(trace.steps);
+    taken.tests += static_cast<float>(trace.tests);
 }
 
-// Takes one sample of the pixel; kernels/path.glsl has the same loop.
+// Takes one sample of the pixel. kernels/path.glsl does the same in a turn, by shared/path.h, but its loop
+// goes through all samples of a pixel, and no invocation leaves it before its neighbours.
 void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum) {
-    const PixelSample at = makePixelSample(x, y, sum.samples, render.settings.seed);
-    Path path = cameraPath(render.camera, x, y, at);
-    FirstHit first = missFirst();
-    while (path.isAlive) {
+    PathSample taken = startSample(render.camera, render.settings, x, y, sum.samples);
+    while (taken.path.isAlive) {
+        const Path path = taken.path;
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
         const TraceResult trace =
-            traceSolid(render, ray, HitQuery::closest, at, bounceDimension(path.bounce, kBounceAlpha));
-        count(sum, trace);
-        ++sum.rays;
+            traceSolid(render, ray, HitQuery::closest, taken.at, bounceDimension(path.bounce, kBounceAlpha));
+        count(taken, trace);
+        ++taken.rays;
         if (trace.hit.triangleId == kNoTriangle) {
-            path = leaveScene(render.scene, render.settings, path);
+            taken.path = leaveScene(render.scene, render.settings, path);
             break;
         }
         const TriangleRecord& triangle = render.structure.triangles[trace.slot];
         const float t = ray.shift + trace.hit.t;
-        const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, at);
-        if (path.bounce == 0) {
-            first = firstHit(step, render.camera.forward, path.dir, t, trace.hit.triangleId);
-        }
-        const uint lightAlpha = bounceDimension(path.bounce, kBounceLightAlpha);
-        path = step.path;
+        const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, taken.at);
+        taken = afterStep(render.camera, taken, step, t, trace.hit.triangleId);
         if (step.shadow.isNeeded) {
             const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
                                         step.shadow.tMax);
-            const TraceResult blocker = traceSolid(render, toLight, HitQuery::any, at, lightAlpha);
-            count(sum, blocker);
-            ++sum.shadowRays;
+            const TraceResult blocker = traceSolid(render, toLight, HitQuery::any, taken.at,
+                                                   bounceDimension(path.bounce, kBounceLightAlpha));
+            count(taken, blocker);
+            ++taken.shadowRays;
             if (blocker.hit.triangleId == kNoTriangle) {
-                path.radiance += step.shadow.gain;
+                taken.path.radiance += step.shadow.gain;
             }
         }
     }
-    sum = addSample(sum, path.radiance, first);
+    sum = endSample(sum, taken);
 }
 
 } // namespace

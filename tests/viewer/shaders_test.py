@@ -11,7 +11,7 @@ class ShadersTest(ViewerTest):
         kernel = folder / "kernels" / "path.glsl"
         good = kernel.read_text()
         bad = good.replace("void main() {", "void main() {\n    nothing of the kind;")
-        dark = good.replace("addSample(sum, path.radiance, first)", "addSample(sum, 0.25 * path.radiance, first)")
+        dark = good.replace("sum = endSample(", "taken.path.radiance *= 0.25; sum = endSample(")
         self.assertEqual(len({good, bad, dark}), 3)
 
         viewer = self.open(CORNELL, "--spp", "2", "--shaders", folder)
