@@ -1,7 +1,6 @@
 """`metamarch bench` from outside: what it prints and writes, and what it refuses."""
 import csv
 import json
-import re
 import struct
 import subprocess
 
@@ -18,19 +17,8 @@ class TraversalTest(ProgramTest):
                                  "--json", "rows.json", *words)
         return json.loads((self.tmp / "rows.json").read_text())
 
-    def list(self):
-        """The lists by their names, and the traversals that the only device lacks something for."""
-        lists, lacking = {}, {}
-        for line in self.succeed("bench", "--list").splitlines():
-            if match := re.match(r"not on 0 .*: (\w+) \(it lacks (.*)\)$", line):
-                lacking[match[1]] = match[2]
-            else:
-                name, words = line.split(": ")
-                lists[name] = words.split()
-        return lists, lacking
-
     def test_every_traversal_and_ray_set_has_a_row(self):
-        lists, lacking = self.list()
+        lists, lacking = self.bench_lists()
         report = self.bench()
         self.assertEqual(report["schema"], 1)
         self.assertLessEqual({"device", "driver", "commit", "rows"}, report.keys())
@@ -66,7 +54,7 @@ class TraversalTest(ProgramTest):
         self.assertEqual({row["traversal"] for row in rows if row["backend"] == "gpu"}, {"floor", "rectilinear_table"})
 
     def test_ray_queries_run_or_are_refused(self):
-        lists, lacking = self.list()
+        lists, lacking = self.bench_lists()
         self.assertIn("ray_query", lists["traversals"])
         words = ["--rays", "close", "--traversals", "ray_query"]
         if "ray_query" not in lacking:

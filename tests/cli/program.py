@@ -82,6 +82,17 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(sorted(self.tmp.rglob("*")), before, words)
         return line.removeprefix("metamarch: ")
 
+    def bench_lists(self):
+        """The lists of `bench --list` by their names, and the traversals that the only device lacks something for."""
+        lists, lacking = {}, {}
+        for line in self.succeed("bench", "--list").splitlines():
+            if match := re.match(r"not on 0 .*: (\w+) \(it lacks (.*)\)$", line):
+                lacking[match[1]] = match[2]
+            else:
+                name, words = line.split(": ")
+                lists[name] = words.split()
+        return lists, lacking
+
     def read_picture(self, name):
         """{channel: rows of values, the top one first}, as OpenImageIO's own tool reads them."""
         def oiiotool(*words):
