@@ -61,7 +61,7 @@ std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::
     }
     const std::uint32_t samples = plate.wholeSamples(); // some tiles may have more
     Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y),
-                            aovsOf(state.settings.path.integrator));
+                            aovsOf(nameOf(state.settings.path.integrator)));
     addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
     addHeader(image, {software, device.name(), device.report().driverInfo, traversal,
                       std::string(nameOf(state.settings.path.integrator)), file.string(), plate.seconds(),
