@@ -19,13 +19,13 @@ constexpr double kMaxExtent = 1e10;
 // Tolerance for units given in single precision: 0.3f / 0.1 is 3.00000004 and means 3 cells.
 constexpr double kUnitRounding = 0x1p-22;
 
-// Chosen by measurement: README.md in this folder.
+// Chosen by measurement: MEASURED.md in this folder.
 constexpr double kCellsPerTriangle = 20.0;
 constexpr double kMinCells = 4096.0;
 
 // Largest cell size, in typical edges. It matters where a model stands on a floor: kCellsPerTriangle would
 // leave the model a handful of cells. Closed models on their own get about equally fine cells from
-// kCellsPerTriangle. Chosen by measurement: README.md in this folder.
+// kCellsPerTriangle. Chosen by measurement: MEASURED.md in this folder.
 constexpr double kCellPerEdge = 0.75;
 
 // Smallest cell size for typical edges, as a fraction of the longest side. Smaller cells would list triangles
