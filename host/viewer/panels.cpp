@@ -70,8 +70,12 @@ void drawTraversals(ViewerState& state) {
     }
 }
 
-// The control that the setting's kind asks for; nothing for one that a panel cannot show.
+// The control that the setting's kind asks for, with its help as a tooltip; nothing for a setting without
+// slider and choices.
 void drawSetting(Setting& setting) {
+    if (setting.kind() != Setting::Kind::flag && setting.choices().empty() && !setting.slider()) {
+        return;
+    }
     std::string label = setting.name();
     std::ranges::replace(label, '-', ' ');
     if (setting.kind() == Setting::Kind::flag) {
@@ -130,17 +134,15 @@ void drawLight(LightChoice& light, SettingList& controls, const bool sceneHasLig
 void drawRenderer(ViewerState& state) {
     Settings& settings = state.settings;
     drawViewChoice(settings);
-    SettingList& controls = state.controls;
-    drawSetting(controls.at("integrator"));
-    drawSetting(controls.at("max-bounces"));
     int samples = static_cast<int>(settings.samples);
     if (ImGui::InputInt("samples", &samples, 64, 1024, ImGuiInputTextFlags_EnterReturnsTrue)) {
         settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 1 << 24));
     }
     drawTraversals(state);
-    drawSetting(controls.at("tone-map"));
-    drawSetting(controls.at("exposure"));
-    drawLight(settings.light, controls, state.scene && state.scene->hasLight);
+    for (Setting& setting : state.controls.all()) {
+        drawSetting(setting);
+    }
+    drawLight(settings.light, state.lightControls, state.scene && state.scene->hasLight);
 }
 
 void drawCamera(ViewerState& state) {

@@ -4,11 +4,11 @@
 
 namespace metamarch::viewer {
 
-void declareControls(SettingList& list, Settings& settings) {
-    declareIntegrator(list, settings.path, kFilmIntegrators);
-    declarePath(list, settings.path, settings.samples);
-    declareTone(list, settings.tone);
-    declareLight(list, settings.light);
+void declareControls(SettingList& controls, SettingList& lightControls, Settings& settings) {
+    declareIntegrator(controls, settings.path, kFilmIntegrators);
+    declarePath(controls, settings.path, settings.samples);
+    declareTone(controls, settings.tone);
+    declareLight(lightControls, settings.light);
 }
 
 void ViewerState::say(const std::string& line) {

@@ -72,16 +72,17 @@ struct Statistics {
 };
 
 // Declares those settings that the panels show.
-void declareControls(SettingList& list, Settings& settings);
+void declareControls(SettingList& controls, SettingList& lightControls, Settings& settings);
 
 struct ViewerState {
-    ViewerState() { declareControls(controls, settings); }
+    ViewerState() { declareControls(controls, lightControls, settings); }
     ViewerState(const ViewerState&) = delete; // the controls refer to the settings
     ViewerState& operator=(const ViewerState&) = delete;
 
     std::filesystem::path file;
     Settings settings;
-    SettingList controls;
+    SettingList controls;      // what the panel always shows
+    SettingList lightControls; // of these, those that the kind of light has
     ViewCamera camera;
     glm::uvec2 size{0}; // of the window, in pixels
 
