@@ -19,11 +19,13 @@ namespace {
 std::vector<FilmPixel> renderOnCpu(const RenderJob& job, const ShadingScene& shading,
                                    const PathSettings& settings, const std::uint32_t samples,
                                    Rendering& result) {
-    RowProgress progress(job.camera.height, !job.quiet);
+    Progress progress("rendering", !job.quiet);
     const Stopwatch stopwatch;
     std::vector<FilmPixel> film =
-        metamarch::renderPaths(job.structure, shading, settings, job.camera, samples,
-                               [&](const unsigned rows) { progress.finish(rows); });
+        renderPathsOnCpu(job.structure, shading, settings, job.camera, samples, [&](const double part) {
+            progress.show(part);
+            return true;
+        });
     describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return film;
@@ -39,9 +41,11 @@ std::vector<FilmPixel> renderOnGpu(const RenderJob& job, const ShadingScene& sha
 
     const Stopwatch stopwatch;
     DeviceProgress progress(!job.quiet);
-    render::PathRender render =
-        render::renderPaths(*job.device, scene, buffers, job.traversal, settings, job.camera, samples,
-                            [&](const double part) { progress.show(part); });
+    render::PathRender render = render::renderPathsOnDevice(
+        *job.device, scene, buffers, job.traversal, settings, job.camera, samples, [&](const double part) {
+            progress.show(part);
+            return true;
+        });
     describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;

@@ -13,11 +13,13 @@ namespace metamarch::cli {
 namespace {
 
 std::vector<FilmPixel> renderOnCpu(const RenderJob& job, const ShadingData& shading, Rendering& result) {
-    RowProgress progress(job.camera.height, !job.quiet);
+    Progress progress("rendering", !job.quiet);
     const Stopwatch stopwatch;
-    std::vector<FilmPixel> pixels =
-        metamarch::renderPrimary(job.structure, shading.materials, shading.materialOfTriangle, job.camera,
-                                 [&](const unsigned rows) { progress.finish(rows); });
+    std::vector<FilmPixel> pixels = renderPrimaryOnCpu(
+        job.structure, shading.materials, shading.materialOfTriangle, job.camera, [&](const double part) {
+            progress.show(part);
+            return true;
+        });
     describeCpu(result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     return pixels;
@@ -30,8 +32,11 @@ std::vector<FilmPixel> renderOnGpu(const RenderJob& job, const ShadingData& shad
 
     const Stopwatch stopwatch;
     DeviceProgress progress(!job.quiet);
-    render::PrimaryRender render = render::renderPrimary(*job.device, scene, job.traversal, job.camera,
-                                                         [&](const double part) { progress.show(part); });
+    render::PrimaryRender render =
+        render::renderPrimaryOnDevice(*job.device, scene, job.traversal, job.camera, [&](const double part) {
+            progress.show(part);
+            return true;
+        });
     describeDevice(job, scene, result);
     result.stats["seconds"]["render"] = stopwatch.seconds();
     result.stats["seconds"]["firstSubmission"] = render.firstSeconds;

@@ -44,13 +44,4 @@ void DeviceProgress::show(const double part) {
     bar->show(part);
 }
 
-RowProgress::RowProgress(const unsigned rowCount, const bool wanted)
-    : bar("rendering", wanted), rows(rowCount) {}
-
-void RowProgress::finish(const unsigned finishedRows) {
-    const std::scoped_lock lock(mutex);
-    finished += finishedRows;
-    bar.show(static_cast<double>(finished) / rows);
-}
-
 } // namespace metamarch::cli

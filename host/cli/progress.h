@@ -1,7 +1,6 @@
 // A progress bar on a terminal, nothing elsewhere.
 #pragma once
 #include <chrono>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -34,20 +33,6 @@ class DeviceProgress {
     bool wanted;
     bool isCompiling = true;
     std::optional<Progress> bar;
-};
-
-// Of rows that several threads finish.
-class RowProgress {
-  public:
-    RowProgress(unsigned rowCount, bool wanted);
-
-    void finish(unsigned finishedRows); // any thread
-
-  private:
-    std::mutex mutex;
-    Progress bar;
-    unsigned rows;
-    unsigned finished = 0;
 };
 
 } // namespace metamarch::cli

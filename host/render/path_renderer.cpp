@@ -12,20 +12,23 @@ constexpr std::uint32_t kMostTiles = 1u << 14u;
 
 } // namespace
 
-PathRender renderPaths(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
-                       const std::string& traversal, const PathSettings& settings, const Camera& camera,
-                       const std::uint32_t samples, const std::function<void(double)>& onProgress) {
+PathRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                               const ShadingBuffers& shading, const std::string& traversal,
+                               const PathSettings& settings, const Camera& camera,
+                               const std::uint32_t samples, const OnProgress& onProgress) {
     const std::uint32_t tiles = Tiling(camera).count;
     const std::uint32_t atOnce = std::min(tiles, kMostTiles);
     PathTracer tracer(device, scene, shading, traversal, atOnce);
     PathRender render;
-    render.film.resize(std::size_t{camera.width} * camera.height);
-    for (std::uint32_t first = 0; first < tiles; first += atOnce) {
+    render.film.resize(std::size_t{camera.width} * camera.height, emptyPixel());
+    bool isOn = true;
+    for (std::uint32_t first = 0; isOn && first < tiles; first += atOnce) {
         const TileRange band{first, std::min(first + atOnce, tiles)};
         tracer.start(camera, settings, band);
-        while (tracer.samples() < samples) {
+        while (isOn && tracer.samples() < samples) {
             tracer.advance(samples, PathTracer::kSamplesAtOnce, WorkSize::kTargetSeconds);
-            onProgress((first + band.count() * tracer.meanSamples() / samples) / tiles);
+            const double part = (first + band.count() * tracer.meanSamples() / samples) / tiles;
+            isOn = !onProgress || onProgress(part);
         }
         tracer.download(render.film);
     }

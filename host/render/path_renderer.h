@@ -1,11 +1,11 @@
 // The path tracer on a Vulkan device.
 #pragma once
+#include "metamarch/reference/rows.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
 #include "metamarch/shared/film.h"
 #include "metamarch/shared/path_input.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,10 +18,11 @@ struct PathRender {
     std::uint32_t submissions = 0;
 };
 
-// `samples` of each pixel. `onProgress` is told the finished part of the picture, 0..1, after each
-// submission. Throws Error(outOfMemory) where the driver cuts a traversal short.
-PathRender renderPaths(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
-                       const std::string& traversal, const PathSettings& settings, const Camera& camera,
-                       std::uint32_t samples, const std::function<void(double)>& onProgress);
+// `samples` of each pixel. `onProgress` is called after each submission. After it cancels, pixels have fewer
+// samples, or none (emptyPixel()). Throws Error(outOfMemory) where the driver cuts a traversal short.
+PathRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                               const ShadingBuffers& shading, const std::string& traversal,
+                               const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                               const OnProgress& onProgress = {});
 
 } // namespace metamarch::render

@@ -13,24 +13,28 @@ namespace {
 // Tiles of one submission: 2^13 tiles of 64 pixels are 56 MiB of output.
 constexpr std::uint32_t kMostTiles = 1u << 13u;
 
-void copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
+// Returns whether every pixel has its sample.
+bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
               const std::uint32_t tilesPerRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
     const std::uint32_t left = tileIndex % tilesPerRow * kTileSide;
     const std::uint32_t top = tileIndex / tilesPerRow * kTileSide;
     const std::uint32_t width = std::min(kTileSide, camera.width - left);
     const std::uint32_t height = std::min(kTileSide, camera.height - top);
+    bool isWhole = true;
     for (std::uint32_t row = 0; row < height; ++row) {
-        std::copy_n(tile.subspan(std::size_t{row} * kTileSide).begin(), width,
-                    pixels.begin() +
-                        static_cast<std::ptrdiff_t>(std::size_t{top + row} * camera.width + left));
+        const auto shown = tile.subspan(std::size_t{row} * kTileSide, width);
+        const std::size_t first = std::size_t{top + row} * camera.width + left;
+        std::ranges::copy(shown, pixels.begin() + static_cast<std::ptrdiff_t>(first));
+        isWhole = isWhole && std::ranges::none_of(shown, [](const FilmPixel& p) { return p.samples == 0; });
     }
+    return isWhole;
 }
 
 } // namespace
 
-PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene,
-                            const std::string& traversal, const Camera& camera,
-                            const std::function<void(double)>& onProgress) {
+PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                                    const std::string& traversal, const Camera& camera,
+                                    const OnProgress& onProgress) {
     const std::uint32_t tilesPerRow = (camera.width + kTileSide - 1) / kTileSide;
     const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
     WorkSize work(std::min(tiles, kMostTiles));
@@ -48,8 +52,9 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
     vulkan::Submission submission(device);
 
     PrimaryRender render;
-    render.pixels.resize(std::size_t{camera.width} * camera.height);
-    for (std::uint32_t firstTile = 0; firstTile < tiles;) {
+    render.pixels.resize(std::size_t{camera.width} * camera.height, emptyPixel());
+    bool isOn = true;
+    for (std::uint32_t firstTile = 0; isOn && firstTile < tiles;) {
         const std::uint32_t count = std::min(work.units(), tiles - firstTile);
         const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(FilmPixel);
         const double seconds = submission.run([&](vulkan::Commands& commands) {
@@ -59,18 +64,15 @@ PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& sc
         const std::span tilePixels(reinterpret_cast<const FilmPixel*>(readback.mapped().data()),
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
-            copyTile(tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>(), firstTile + i,
-                     tilesPerRow, camera, render.pixels);
+            const auto tile = tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>();
+            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.pixels)) {
+                refuseCutShort(kCutShort, device, traversal);
+            }
         }
         work.finished(seconds);
         (render.submissions++ == 0 ? render.firstSeconds : render.deviceSeconds) += seconds;
         firstTile += count;
-        onProgress(static_cast<double>(firstTile) / tiles);
-    }
-    for (const FilmPixel& pixel : render.pixels) {
-        if (pixel.samples == 0) {
-            refuseCutShort(kCutShort, device, traversal);
-        }
+        isOn = !onProgress || onProgress(static_cast<double>(firstTile) / tiles);
     }
     return render;
 }

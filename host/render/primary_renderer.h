@@ -1,9 +1,9 @@
 // The `primary` integrator on a Vulkan device.
 #pragma once
+#include "metamarch/reference/rows.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/shared/primary.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +16,10 @@ struct PrimaryRender {
     std::uint32_t submissions = 0;
 };
 
-// `onProgress` is told the finished part of the picture, 0..1, after each submission.
-PrimaryRender renderPrimary(const vulkan::Device& device, const SceneBuffers& scene,
-                            const std::string& traversal, const Camera& camera,
-                            const std::function<void(double)>& onProgress);
+// `onProgress` is called after each submission. After it cancels, the pixels that are missing hold
+// emptyPixel(). Throws Error(outOfMemory) where the driver cuts a traversal short.
+PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                                    const std::string& traversal, const Camera& camera,
+                                    const OnProgress& onProgress = {});
 
 } // namespace metamarch::render

@@ -3,8 +3,6 @@
 #include "metamarch/reference/trace.h"
 #include "metamarch/shared/path.h"
 
-#include <tbb/parallel_for.h>
-
 namespace metamarch {
 namespace {
 
@@ -78,21 +76,20 @@ void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum
 
 } // namespace
 
-std::vector<FilmPixel> renderPaths(const AccelerationStructure& structure, const ShadingScene& scene,
-                                   const PathSettings& settings, const Camera& camera,
-                                   const std::uint32_t samples,
-                                   const std::function<void(unsigned rows)>& onRows) {
+std::vector<FilmPixel> renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
+                                        const PathSettings& settings, const Camera& camera,
+                                        const std::uint32_t samples, const OnProgress& onProgress) {
     std::vector<FilmPixel> film(std::size_t{camera.width} * camera.height, emptyPixel());
     const Render render{structure, scene, settings, camera};
-    tbb::parallel_for(0u, camera.height, [&](const uint y) {
+    const auto renderRow = [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {
             FilmPixel& pixel = film[std::size_t{y} * camera.width + x];
             while (pixel.samples < samples) {
                 takeSample(render, x, y, pixel);
             }
         }
-        onRows(1);
-    });
+    };
+    forEachRow(camera.height, renderRow, onProgress);
     return film;
 }
 

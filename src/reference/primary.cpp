@@ -2,8 +2,6 @@
 
 #include "metamarch/reference/triangle_records.h"
 
-#include <tbb/parallel_for.h>
-
 namespace metamarch {
 namespace {
 
@@ -27,18 +25,18 @@ FilmPixel renderPixel(const AccelerationStructure& structure,
 
 } // namespace
 
-std::vector<FilmPixel> renderPrimary(const AccelerationStructure& structure,
-                                     const std::span<const ShadingMaterial> materials,
-                                     const std::span<const std::uint32_t> materialOfTriangle,
-                                     const Camera& camera, const std::function<void(unsigned rows)>& onRows) {
-    std::vector<FilmPixel> pixels(std::size_t{camera.width} * camera.height);
-    tbb::parallel_for(0u, camera.height, [&](const uint y) {
+std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure,
+                                          const std::span<const ShadingMaterial> materials,
+                                          const std::span<const std::uint32_t> materialOfTriangle,
+                                          const Camera& camera, const OnProgress& onProgress) {
+    std::vector<FilmPixel> pixels(std::size_t{camera.width} * camera.height, emptyPixel());
+    const auto renderRow = [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {
             pixels[std::size_t{y} * camera.width + x] =
                 renderPixel(structure, materials, materialOfTriangle, camera, x, y);
         }
-        onRows(1);
-    });
+    };
+    forEachRow(camera.height, renderRow, onProgress);
     return pixels;
 }
 

@@ -32,8 +32,7 @@ class Sides {
           camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
 
     std::vector<FilmPixel> onCpu(const PathWork& work) const {
-        return renderPaths(structure, shading, settingsOf(shading, work), camera, work.samples,
-                           [](unsigned) {});
+        return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
     }
 
     enum class Where { fasterMemory, storageBuffers };
@@ -46,8 +45,8 @@ class Sides {
                 ? render::SceneBuffers(device, structure, primary)
                 : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
         const render::ShadingBuffers shadingBuffers(device, shading);
-        return render::renderPaths(device, buffers, shadingBuffers, traversal, settingsOf(shading, work),
-                                   camera, work.samples, [](double) {});
+        return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal,
+                                           settingsOf(shading, work), camera, work.samples);
     }
 
   private:

@@ -48,7 +48,7 @@ std::vector<FilmPixel> render(const PathScene& made, const PathWork& work) {
     const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
     const ShadingScene shading = shadingOf(made);
     const Camera camera = makeCamera(made.view, work.side, work.side, made.camera);
-    return renderPaths(structure, shading, settingsOf(shading, work), camera, work.samples, [](unsigned) {});
+    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
 }
 
 glm::dvec3 meanOf(const FilmPixel& pixel) {

@@ -49,8 +49,8 @@ class GrowingFilm : public testing::Test {
     }
 
     std::vector<FilmPixel> atOnce(const Camera& seen, const std::uint32_t samples) const {
-        return render::renderPaths(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal, settings,
-                                   seen, samples, [](double) {})
+        return render::renderPathsOnDevice(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
+                                           settings, seen, samples)
             .film;
     }
 

@@ -153,10 +153,10 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             SCOPED_TRACE(testing::Message() << traversal << " looking along " << view.forward.x << " "
                                             << view.forward.y << " " << view.forward.z);
             const Camera camera = makeCamera(view, effort.width, effort.height);
-            const auto expected = renderPrimary(loaded->structure, loaded->shading.materials,
-                                                loaded->shading.materialOfTriangle, camera, [](unsigned) {});
+            const auto expected = renderPrimaryOnCpu(loaded->structure, loaded->shading.materials,
+                                                     loaded->shading.materialOfTriangle, camera);
             const auto result =
-                render::renderPrimary(device, buffers, std::string(traversal), camera, [](double) {});
+                render::renderPrimaryOnDevice(device, buffers, std::string(traversal), camera);
             std::size_t different = 0;
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 // All but steps and tests, bit for bit.
