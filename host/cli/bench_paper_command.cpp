@@ -36,7 +36,7 @@ void runPaper(const PaperOptions& options) {
     std::vector<std::unique_ptr<bench::BenchScene>> scenes;
     for (const bench::PaperModel& model : bench::paperModels()) {
         scenes.push_back(bench::loadPaperModel(model, options.scenes));
-        printWarnings(scenes.back()->scene);
+        printWarnings(scenes.back()->scene.warnings);
     }
     const std::filesystem::path folder = options.out;
     makeFolder(folder);

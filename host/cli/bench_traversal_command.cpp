@@ -7,6 +7,7 @@
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
+#include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
@@ -200,10 +201,10 @@ void runTraversal(const TraversalOptions& options) {
                bench::definitions(), bench::textHeadings());
     for (const std::string& path : options.scenePaths) {
         Scene imported = loadScene(path, options.import);
-        printWarnings(imported);
+        printWarnings(imported.warnings);
         bench::BenchScene scene(std::filesystem::path(path).filename().string(), std::move(imported),
                                 structureOptions);
-        printWarnings(scene.scene, scene.structure);
+        printWarnings(render::warningsOf(scene.structure));
         benchScene(scene, options, size, devices, sink);
     }
     if (!options.jsonPath.empty()) {

@@ -2,6 +2,7 @@
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/structure_report.h"
 #include "metamarch/cli/warnings.h"
+#include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
 
@@ -79,13 +80,13 @@ void printText(const nlohmann::ordered_json& report) {
 
 void runInfo(const InfoOptions& options) {
     checkStructure(options.structure);
-    const Scene scene = loadScene(options.scenePath, options.import);
-    printWarnings(scene);
-    const AccelerationStructure structure = buildAccelerationStructure(scene, options.structure);
-    printWarnings(scene, structure);
-    nlohmann::ordered_json report = reportStructure(scene, structure);
+    const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
+    printWarnings(scene->warnings);
+    const render::PreparedScene prepared(scene, options.structure);
+    printWarnings(render::warningsOf(*prepared.structure));
+    nlohmann::ordered_json report = reportStructure(*scene, *prepared.structure);
     if (options.structure.table == TableMethod::rectilinear) {
-        report["rectilinear"] = reportRectilinear(StructureSet(structure).rectilinearTable());
+        report["rectilinear"] = reportRectilinear(StructureSet(*prepared.structure).rectilinearTable());
     }
     if (options.json) {
         fmt::print("{}\n", report.dump(2));

@@ -1,20 +1,18 @@
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
-#include "metamarch/cli/path_rendering.h"
-#include "metamarch/cli/primary_rendering.h"
+#include "metamarch/cli/progress.h"
+#include "metamarch/cli/render_report.h"
 #include "metamarch/cli/structure_report.h"
 #include "metamarch/cli/version.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
 #include "metamarch/image/image_file.h"
-#include "metamarch/image/picture_header.h"
-#include "metamarch/render/scene_buffers.h"
-#include "metamarch/render/stopwatch.h"
+#include "metamarch/render/picture.h"
+#include "metamarch/render/render.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
-#include "metamarch/shading/lit_scene.h"
 #include "metamarch/shading/view.h"
 
 #include <fmt/format.h>
@@ -64,35 +62,8 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     return weakly_canonical(absolute(a)) == weakly_canonical(absolute(b));
 }
 
-nlohmann::ordered_json makeStats(const Scene& scene, const AccelerationStructure& structure,
-                                 const Rendering& rendering, const RenderOptions& options,
-                                 const glm::uvec2 size) {
-    nlohmann::ordered_json stats;
-    stats["schema"] = 1;
-    stats["device"] = rendering.device;
-    stats["driver"] = rendering.driver;
-    stats["traversal"] = rendering.traversal;
-    stats["integrator"] = nameOf(options.path.integrator);
-    stats["size"] = {size.x, size.y};
-    stats.update(rendering.stats);
-    stats["scene"] = reportStructure(scene, structure);
-    if (rendering.rectilinear) {
-        stats["scene"]["rectilinear"] = *rendering.rectilinear;
-    }
-    return stats;
-}
-
-Rendering tracePaths(const RenderJob& job, const RenderOptions& options) {
-    const LitScene lit = lightScene(job.scene, options.scenePath, options.path, options.light);
-    for (const std::string& warning : lit.warnings) {
-        printWarning(warning);
-    }
-    return renderPaths(job, lit.shading, options.path.applied(lit.shading.settings), options.samplesPerPixel);
-}
-
-void runRender(const RenderOptions& options) {
-    checkArguments(options);
-    const glm::uvec2 size = options.size;
+// What can be refused before the long work.
+void checkOutputs(const RenderOptions& options) {
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
@@ -100,57 +71,97 @@ void runRender(const RenderOptions& options) {
             throw Error(ErrorKind::invalidArgument, "--stats and --output name the same file");
         }
     }
+}
 
-    const std::string traversal =
-        options.traversal.empty() ? std::string(marchThrough(options.structure.table)) : options.traversal;
-    requireTable(options.structure.table, traversal);
+render::RenderSettings settingsOf(const RenderOptions& options) {
+    const TableMethod table = options.structure.table;
+    render::RenderSettings settings;
+    settings.path = options.path;
+    settings.samplesPerPixel = options.samplesPerPixel;
+    settings.traversal = options.traversal.empty() ? std::string(marchThrough(table)) : options.traversal;
+    requireTable(table, settings.traversal);
+    return settings;
+}
 
-    // Before the long work, what can go wrong without it.
+// Without `onDevice` on the CPU.
+render::RenderResult renderWithProgress(const render::PreparedScene& scene,
+                                        const std::optional<render::DeviceScene>& onDevice,
+                                        const Camera& camera, const render::RenderSettings& settings,
+                                        const bool quiet) {
+    Progress bar(onDevice ? "compiling" : "rendering", !quiet);
+    const auto show = [&](const double part) {
+        bar.show("rendering", part);
+        return true;
+    };
+    return onDevice ? render::renderPicture(*onDevice, camera, settings, show)
+                    : render::renderPicture(scene, camera, settings, show);
+}
+
+// `report` says what the rendering took; this adds what --stats says of the scene.
+void writeStats(const nlohmann::ordered_json& report, const render::PreparedScene& scene,
+                const std::optional<render::DeviceScene>& onDevice, const std::string& path) {
+    nlohmann::ordered_json stats;
+    stats["schema"] = 1;
+    stats.update(report);
+    stats["scene"] = reportStructure(*scene.scene, *scene.structure);
+    if (onDevice && report["traversal"] == marchThrough(TableMethod::rectilinear)) {
+        stats["scene"]["rectilinear"] =
+            reportRectilinear(onDevice->buffers().structures().rectilinearTable());
+    }
+    // A driver may call its device by bytes that are no UTF-8.
+    writeText(path, stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+void runRender(const RenderOptions& options) {
+    checkArguments(options);
+    const glm::uvec2 size = options.size;
+    checkOutputs(options);
+    const render::RenderSettings settings = settingsOf(options);
+
+    // Before the long work: there may be no device that fits.
     std::optional<vulkan::Context> context;
     std::optional<vulkan::Device> device;
     if (options.backend == Backend::gpu) {
         context.emplace();
         device.emplace(*context, options.device);
-        render::requireTraversal(device->report(), traversal);
+        render::requireTraversal(device->report(), settings.traversal);
     }
 
     const Stopwatch import;
-    const Scene scene = loadScene(options.scenePath, options.import);
+    const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
     const double importSeconds = import.seconds();
-    printWarnings(scene);
+    printWarnings(scene->warnings);
     const SceneCamera sceneCamera =
-        chooseCamera(scene, options.view, static_cast<float>(size.x) / static_cast<float>(size.y));
+        chooseCamera(*scene, options.view, static_cast<float>(size.x) / static_cast<float>(size.y));
     const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.view.lens);
     const Stopwatch build;
-    const AccelerationStructure structure = buildAccelerationStructure(scene, options.structure);
+    render::PreparedScene prepared(scene, options.structure);
     const double buildSeconds = build.seconds();
-    printWarnings(scene, structure);
-    const RenderJob job{scene, structure, camera, device ? &*device : nullptr, traversal, options.quiet};
-    Rendering rendering =
-        options.path.integrator == Integrator::primary ? renderPrimary(job) : tracePaths(job, options);
-
-    rendering.stats["seconds"]["import"] = importSeconds;
-    rendering.stats["seconds"]["build"] = buildSeconds;
-
-    if (options.path.integrator != Integrator::primary &&
-        std::filesystem::path(options.outputPath).extension() == ".png") {
-        makeOpaque(rendering.image);
+    printWarnings(render::warningsOf(*prepared.structure));
+    if (!settings.isPrimary()) {
+        prepared.light(options.scenePath, settings.path, options.light);
+        printWarnings(prepared.lightWarnings);
     }
-    addHeader(rendering.image, {programVersion(), rendering.device, rendering.driver, rendering.traversal,
-                                std::string(nameOf(options.path.integrator)), options.scenePath,
-                                rendering.stats["seconds"]["render"].get<double>(), sceneCamera.name,
-                                sceneCamera.eye, sceneCamera.forward, sceneCamera.up});
-    const nlohmann::ordered_json stats = makeStats(scene, structure, rendering, options, size);
-    writeImage(rendering.image, options.outputPath, options.tone);
+    std::optional<render::DeviceScene> onDevice;
+    if (device) {
+        onDevice.emplace(*device, prepared);
+    }
+
+    const render::RenderResult result =
+        renderWithProgress(prepared, onDevice, camera, settings, options.quiet);
+    printWarnings(result.warnings);
+    render::writePicture(result, {programVersion(), options.scenePath, sceneCamera}, options.outputPath,
+                         options.tone);
     if (!options.statsPath.empty()) {
-        // A driver may call its device by bytes that are no UTF-8.
-        writeText(options.statsPath,
-                  stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        nlohmann::ordered_json report = reportRender(result);
+        report["seconds"]["import"] = importSeconds;
+        report["seconds"]["build"] = buildSeconds;
+        writeStats(report, prepared, onDevice, options.statsPath);
     }
     if (!options.quiet) {
         fmt::print("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n", options.outputPath, size.x,
-                   size.y, scene.triangles.size(), rendering.traversal, rendering.device, rendering.driver,
-                   rendering.stats["seconds"]["render"].get<double>(), rendering.summary);
+                   size.y, scene->triangles.size(), result.traversal, result.device, result.driver,
+                   result.seconds.render, summaryOf(result));
     }
 }
 

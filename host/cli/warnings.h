@@ -1,19 +1,11 @@
-// What the user should know of a scene that is read all the same: on stderr, a line each.
+// What the user should know of a scene that is read all the same.
 #pragma once
-#include "metamarch/accel/acceleration_structure.h"
-#include "metamarch/scene/scene.h"
-
 #include <string>
+#include <vector>
 
 namespace metamarch::cli {
 
-// What the importer left out or repaired.
-// One line on stderr.
-void printWarning(const std::string& warning);
-
-void printWarnings(const Scene& scene);
-
-// A scene whose triangles are all degenerate: its picture is empty.
-void printWarnings(const Scene& scene, const AccelerationStructure& structure);
+// On stderr, a line each.
+void printWarnings(const std::vector<std::string>& warnings);
 
 } // namespace metamarch::cli

@@ -16,7 +16,7 @@ void frameSelected(ViewerState& state) {
     if (!state.selected) {
         return;
     }
-    const Scene& shown = *state.scene->shown;
+    const Scene& shown = *state.scene->shown.scene;
     Bounds bounds{state.selected->corners[0], state.selected->corners[0]};
     for (std::size_t i = 0; i < shown.triangles.size(); ++i) {
         if (shown.triangleMesh[i] == state.selected->mesh) {

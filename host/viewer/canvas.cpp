@@ -35,11 +35,11 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
 
 } // namespace
 
-Canvas::Canvas(const vulkan::Device& usedDevice, const Stage& stage, const std::string& traversal,
-               const glm::uvec2 size, const ShaderOverrides& shaders)
+Canvas::Canvas(const vulkan::Device& usedDevice, const render::DeviceScene& scene,
+               const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
     : device(usedDevice), name(traversal), fineSize(fittingSize(usedDevice, size)),
-      coarse(usedDevice, stage, traversal, divided(fineSize, kCoarseness.front()), shaders),
-      fine(usedDevice, stage, traversal, fineSize, shaders) {}
+      coarse(usedDevice, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
+      fine(usedDevice, scene, traversal, fineSize, shaders) {}
 
 void Canvas::start(const Shot& shot, const double seconds) {
     const double pixels = static_cast<double>(fineSize.x) * fineSize.y;

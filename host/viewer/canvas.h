@@ -11,8 +11,8 @@ namespace metamarch::viewer {
 class Canvas {
   public:
     // `size` of the window, in pixels.
-    Canvas(const vulkan::Device& device, const Stage& stage, const std::string& traversal, glm::uvec2 size,
-           const ShaderOverrides& shaders);
+    Canvas(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
+           glm::uvec2 size, const ShaderOverrides& shaders);
 
     // From now on it shows this. The coarse picture takes about `seconds` of the device.
     void start(const Shot& shot, double seconds);

@@ -86,7 +86,7 @@ void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march
 
 void drawMarch(Painter& painter, const ViewerState& state) {
     const FrozenMarch& march = *state.march;
-    const Lattice& lattice = state.scene->structure->lattice;
+    const Lattice& lattice = state.scene->shown.structure->lattice;
     const std::vector<MarchStep>& steps = march.log.steps;
     const bool isHit = march.log.result.hit.triangleId != kNoTriangle;
     const float end = isHit ? steps.back().best.t : steps.empty() ? lattice.extent : steps.back().tFar;

@@ -188,10 +188,10 @@ void drawStatistics(const ViewerState& state) {
     } else if (now.sideSeconds[0] > 0.0) {
         line(fmt::format("{:.2f} ms for the picture", now.sideSeconds[0] * 1e3));
     }
-    line(fmt::format("{} triangles, {} on the device", scene.shown->triangles.size(),
+    line(fmt::format("{} triangles, {} on the device", scene.shown.scene->triangles.size(),
                      vulkan::byteText(now.deviceBytes)));
     line(fmt::format("read in {:.2f} s, tree {:.2f} s, table {:.2f} s", scene.importSeconds,
-                     scene.structure->treeSeconds, scene.structure->tableSeconds));
+                     scene.shown.structure->treeSeconds, scene.shown.structure->tableSeconds));
 }
 
 void drawMeshes(ViewerState& state) {

@@ -4,17 +4,17 @@ namespace metamarch::viewer {
 
 Ray rayThrough(const LoadedScene& scene, const Camera& camera, const glm::vec2 place) {
     const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
-    return makeRay(scene.structure->lattice, view.origin, 0.0f, view.dir, kFarthest);
+    return makeRay(scene.shown.structure->lattice, view.origin, 0.0f, view.dir, kFarthest);
 }
 
 std::optional<Pick> pick(const LoadedScene& scene, const Camera& camera, const glm::vec2 place) {
     const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
     const Ray ray = rayThrough(scene, camera, place);
-    const TraceResult found = traceKdStack(*scene.structure, ray, HitQuery::closest);
+    const TraceResult found = traceKdStack(*scene.shown.structure, ray, HitQuery::closest);
     if (found.hit.triangleId == kNoTriangle) {
         return std::nullopt;
     }
-    const Scene& shown = *scene.shown;
+    const Scene& shown = *scene.shown.scene;
     const glm::uvec3 corners = shown.triangles[found.hit.triangleId];
     Pick picked{};
     picked.triangleId = found.hit.triangleId;
@@ -33,7 +33,7 @@ std::optional<Pick> pick(const LoadedScene& scene, const Camera& camera, const g
 
 FrozenMarch marchThrough(const LoadedScene& scene, const Camera& camera, const glm::vec2 place) {
     const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
-    return {view.origin, view.dir, logMarch(*scene.structure, rayThrough(scene, camera, place))};
+    return {view.origin, view.dir, logMarch(*scene.shown.structure, rayThrough(scene, camera, place))};
 }
 
 } // namespace metamarch::viewer

@@ -12,7 +12,7 @@
 namespace metamarch::viewer {
 
 struct Pick {
-    std::uint32_t triangleId; // of LoadedScene::shown
+    std::uint32_t triangleId; // of LoadedScene::shown.scene
     std::uint32_t mesh;
     std::uint32_t material; // kNoMaterial: none
     glm::vec3 corners[3];

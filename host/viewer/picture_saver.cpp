@@ -1,9 +1,8 @@
 #include "metamarch/viewer/picture_saver.h"
 
 #include "metamarch/error/error.h"
-#include "metamarch/image/film_image.h"
 #include "metamarch/image/image_file.h"
-#include "metamarch/image/picture_header.h"
+#include "metamarch/render/picture.h"
 
 #include <fmt/format.h>
 
@@ -59,18 +58,17 @@ std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::
         writeImage(imageOf(plate.viewPixels(), plate.size()), name);
         return "saved " + name;
     }
-    const std::uint32_t samples = plate.wholeSamples(); // some tiles may have more
-    Image image = filmImage(plate.film(), static_cast<int>(plate.size().x), static_cast<int>(plate.size().y),
-                            aovsOf(nameOf(state.settings.path.integrator)));
-    addSampling(image, samples, shot.settings.seed, shot.settings.maxBounces);
-    addHeader(image, {software, device.name(), device.report().driverInfo, traversal,
-                      std::string(nameOf(state.settings.path.integrator)), file.string(), plate.seconds(),
-                      shot.camera.name, shot.camera.eye, shot.camera.forward, shot.camera.up});
-    if (ending == ".png") {
-        makeOpaque(image);
-    }
-    writeImage(image, name, state.settings.tone);
-    return fmt::format("saved {}, {} samples a pixel", name, samples);
+    render::RenderResult result;
+    result.settings.path = state.settings.path;
+    result.settings.samplesPerPixel = plate.wholeSamples(); // some tiles may have more
+    result.size = plate.size();
+    result.film = plate.film();
+    result.device = device.name();
+    result.driver = device.report().driverInfo;
+    result.traversal = traversal;
+    result.seconds.render = plate.seconds();
+    render::writePicture(result, {software, file.string(), shot.camera}, name, state.settings.tone);
+    return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
 }
 
 } // namespace metamarch::viewer

@@ -14,9 +14,9 @@ std::uint32_t samplesAtOnce(const std::uint32_t taken) {
 
 } // namespace
 
-Plate::Plate(const vulkan::Device& usedDevice, const Stage& usedStage, const std::string& usedTraversal,
-             const glm::uvec2 usedMost, const ShaderOverrides& usedShaders)
-    : device(usedDevice), stage(usedStage), traversal(usedTraversal), most(usedMost), shaders(usedShaders) {}
+Plate::Plate(const vulkan::Device& usedDevice, const render::DeviceScene& usedScene,
+             const std::string& usedTraversal, const glm::uvec2 usedMost, const ShaderOverrides& usedShaders)
+    : device(usedDevice), scene(usedScene), traversal(usedTraversal), most(usedMost), shaders(usedShaders) {}
 
 void Plate::start(const Shot& wanted, const glm::uvec2 size) {
     shot = wanted;
@@ -26,7 +26,7 @@ void Plate::start(const Shot& wanted, const glm::uvec2 size) {
     const Camera camera = makeCamera(shot.camera, size.x, size.y, shot.lens);
     if (shot.view) {
         if (!inspector) {
-            inspector.emplace(device, stage.buffers, stage.shading, traversal, most.x * most.y,
+            inspector.emplace(device, scene.buffers(), scene.shading(), traversal, most.x * most.y,
                               shaders.find("inspect", traversal), shaders.find("cells", ""));
         }
         inspector->start(camera, *shot.view, shot.scaleMax);
@@ -35,7 +35,7 @@ void Plate::start(const Shot& wanted, const glm::uvec2 size) {
     if (!path) {
         const std::uint32_t tiles =
             ((most.x + kTileSide - 1) / kTileSide) * ((most.y + kTileSide - 1) / kTileSide);
-        path.emplace(device, stage, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
+        path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
     }
     secondsBefore = path->tracer.counters().deviceSeconds;
     path->tracer.start(camera, shot.settings, {0, render::Tiling(camera).count});

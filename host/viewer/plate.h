@@ -1,11 +1,11 @@
 // One picture of one size that grows: the path tracer's film, or a view of the algorithm.
 #pragma once
+#include "metamarch/render/device_scene.h"
 #include "metamarch/render/inspector.h"
 #include "metamarch/render/path_tracer.h"
 #include "metamarch/render/resolver.h"
 #include "metamarch/shading/view.h"
 #include "metamarch/viewer/shader_overrides.h"
-#include "metamarch/viewer/stage.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,8 +27,8 @@ struct Shot {
 class Plate {
   public:
     // `most`: room on the device for a picture of that width and height. What it is made of must outlive it.
-    Plate(const vulkan::Device& device, const Stage& stage, const std::string& traversal, glm::uvec2 most,
-          const ShaderOverrides& shaders);
+    Plate(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
+          glm::uvec2 most, const ShaderOverrides& shaders);
 
     // A picture of at most that size, of which nothing is there yet.
     void start(const Shot& shot, glm::uvec2 size);
@@ -62,9 +62,9 @@ class Plate {
 
   private:
     struct Path {
-        Path(const vulkan::Device& device, const Stage& stage, const std::string& traversal,
+        Path(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
              std::uint32_t tiles, std::uint32_t pixels, std::span<const std::uint32_t> spirv)
-            : tracer(device, stage.buffers, stage.shading, traversal, tiles, spirv),
+            : tracer(device, scene.buffers(), scene.shading(), traversal, tiles, spirv),
               resolver(device, tracer.film(), pixels) {}
 
         render::PathTracer tracer;
@@ -74,7 +74,7 @@ class Plate {
     void clear();
 
     const vulkan::Device& device;
-    const Stage& stage;
+    const render::DeviceScene& scene;
     std::string traversal;
     glm::uvec2 most;
     const ShaderOverrides& shaders;

@@ -2,6 +2,7 @@
 
 #include "metamarch/error/error.h"
 #include "metamarch/render/stopwatch.h"
+#include "metamarch/shading/surroundings.h"
 
 #include <new>
 #include <utility>
@@ -77,26 +78,26 @@ void SceneLoader::run(const std::stop_token& stop) {
 
 SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
     try {
-        auto loaded = std::make_shared<LoadedScene>();
-        loaded->request = request;
         const bool isRead = last && sameFile(last->request, request);
         const Stopwatch import;
-        loaded->whole =
+        const std::shared_ptr<const Scene> whole =
             isRead ? last->whole : std::make_shared<const Scene>(loadScene(request.file, request.import));
-        loaded->importSeconds = isRead ? last->importSeconds : import.seconds();
-        loaded->bounds = isRead ? last->bounds : boundsOf(*loaded->whole);
-        loaded->hasLight = isRead ? last->hasLight : hasLight(*loaded->whole);
-        loaded->warnings = loaded->whole->warnings;
-
+        const double importSeconds = isRead ? last->importSeconds : import.seconds();
         const bool isBuilt = isRead && last->request.hiddenMeshes == request.hiddenMeshes;
-        loaded->shown = isBuilt ? last->shown : withoutMeshes(loaded->whole, request.hiddenMeshes);
-        loaded->structure = isBuilt ? last->structure
-                                    : std::make_shared<const AccelerationStructure>(
-                                          buildAccelerationStructure(*loaded->shown, request.structure));
-
-        LitScene lit = lightScene(*loaded->shown, request.file.string(), request.path, request.light);
-        loaded->shading = std::move(lit.shading);
-        loaded->warnings.insert(loaded->warnings.end(), lit.warnings.begin(), lit.warnings.end());
+        auto loaded = std::make_shared<LoadedScene>(
+            LoadedScene{.request = request,
+                        .whole = whole,
+                        .shown = isBuilt ? last->shown
+                                         : render::PreparedScene(withoutMeshes(whole, request.hiddenMeshes),
+                                                                 request.structure),
+                        .bounds = isRead ? last->bounds : boundsOf(*whole),
+                        .hasLight = isRead ? last->hasLight : hasLight(*whole),
+                        .importSeconds = importSeconds});
+        loaded->shown.light(request.file.string(), request.path, request.light);
+        for (const auto& warnings :
+             {whole->warnings, render::warningsOf(*loaded->shown.structure), loaded->shown.lightWarnings}) {
+            loaded->warnings.insert(loaded->warnings.end(), warnings.begin(), warnings.end());
+        }
         last = loaded;
         return {loaded, std::nullopt};
     } catch (const Error& error) {

@@ -1,9 +1,8 @@
 // Scenes read and built by a thread of their own, so that the window goes on meanwhile.
 #pragma once
-#include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/error/error.h"
+#include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
-#include "metamarch/shading/lit_scene.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -31,12 +30,10 @@ struct SceneRequest {
 struct LoadedScene {
     SceneRequest request;
     std::shared_ptr<const Scene> whole;
-    std::shared_ptr<const Scene> shown;                     // without the triangles of hidden meshes
-    std::shared_ptr<const AccelerationStructure> structure; // over `shown`
-    ShadingScene shading;                                   // of `shown`
-    Bounds bounds;                                          // of `whole`
-    bool hasLight = false;                                  // hasLight(*whole)
-    std::vector<std::string> warnings;
+    render::PreparedScene shown; // without the triangles of hidden meshes
+    Bounds bounds;               // of `whole`
+    bool hasLight = false;       // hasLight(*whole)
+    std::vector<std::string> warnings{};
     double importSeconds = 0.0; // when the file was last read
 };
 

@@ -20,12 +20,12 @@ bool Sides::areOf(const std::vector<std::string>& traversals, const glm::uvec2 w
                                                     [](const auto& canvas) { return canvas->traversal(); });
 }
 
-void Sides::make(const Stage& stage, const std::vector<std::string>& traversals, const glm::uvec2 windowSize,
-                 const ShaderOverrides& shaders) {
+void Sides::make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
+                 const glm::uvec2 windowSize, const ShaderOverrides& shaders) {
     clear();
     size = windowSize;
     for (const std::string& name : traversals) {
-        canvases.push_back(std::make_unique<Canvas>(device, stage, name, size, shaders));
+        canvases.push_back(std::make_unique<Canvas>(device, scene, name, size, shaders));
     }
 }
 

@@ -18,9 +18,9 @@ class Sides {
     bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
 
     // One for each traversal, from left to right. Not while a frame that they were painted in is drawn; nor
-    // clear(). The stage and the shaders must outlive them. Throws as Canvas.
-    void make(const Stage& stage, const std::vector<std::string>& traversals, glm::uvec2 windowSize,
-              const ShaderOverrides& shaders);
+    // clear(). Scene and shaders must outlive them. Throws as Canvas.
+    void make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
+              glm::uvec2 windowSize, const ShaderOverrides& shaders);
     void clear();
 
     void start(const Shot& shot);

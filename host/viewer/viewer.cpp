@@ -13,7 +13,6 @@
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/shader_reload.h"
 #include "metamarch/viewer/sides.h"
-#include "metamarch/viewer/stage.h"
 #include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
@@ -172,21 +171,21 @@ class Viewer {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
         state.size = presenter.size();
         const ViewCamera camera = cameraFor(*loaded); // refuses one that the scene does not have
-        auto next = std::make_unique<Stage>(device, loaded);
+        auto next = std::make_unique<render::DeviceScene>(device, loaded->shown);
         dropPictures();
-        stage = std::move(next);
+        deviceScene = std::move(next);
         if (isOther || state.scene->whole != loaded->whole) {
             for (const std::string& warning : loaded->warnings) {
                 state.say("warning: " + warning);
             }
         }
-        if (!state.scene || state.scene->shown != loaded->shown) {
+        if (!state.scene || state.scene->shown.scene != loaded->shown.scene) {
             state.selected.reset();
             state.march.reset();
         }
         state.scene = std::move(loaded);
         state.camera = camera;
-        state.statistics.deviceBytes = stage->buffers.bytes() + stage->shading.bytes();
+        state.statistics.deviceBytes = deviceScene->bytes();
         isStale = true;
     }
 
@@ -222,7 +221,7 @@ class Viewer {
         if (fileWatch.hasChanged()) {
             readAgain();
         }
-        if (stage && shaders.hasChanged()) {
+        if (deviceScene && shaders.hasChanged()) {
             compileShaders();
             if (state.shaderError.empty()) {
                 dropPictures();
@@ -232,7 +231,7 @@ class Viewer {
     }
 
     void compileShaders() {
-        const std::string error = shaders.compile(state.traversals(), stage->buffers.memoryKind());
+        const std::string error = shaders.compile(state.traversals(), deviceScene->buffers().memoryKind());
         state.shaderError = error;
         state.say(error.empty() ? "shaders compiled anew"
                                 : "shader error: " + error.substr(0, error.find('\n')));
@@ -302,7 +301,7 @@ class Viewer {
                                     before.rival != now.rival;
         isStale = isStale || isOtherPicture;
         isHalted = isHalted && !isStale && haltedSize == state.size;
-        if (!stage || isHalted) {
+        if (!deviceScene || isHalted) {
             return;
         }
         const bool areOthers = !sides.areOf(state.traversals(), state.size);
@@ -312,7 +311,7 @@ class Viewer {
                 if (shaders.lacks(state.traversals())) {
                     compileShaders();
                 }
-                sides.make(*stage, state.traversals(), state.size, shaders.overrides());
+                sides.make(*deviceScene, state.traversals(), state.size, shaders.overrides());
             }
             sides.setTone(now.tone);
             if (std::exchange(isStale, false) || areOthers) {
@@ -364,7 +363,7 @@ class Viewer {
         Shot shot;
         shot.camera = sceneCameraOf(state.camera, *state.scene->whole);
         shot.lens = lensOf(state.camera);
-        shot.settings = state.settings.path.applied(state.scene->shading.settings);
+        shot.settings = state.settings.path.applied(state.scene->shown.shading->settings);
         shot.view = state.settings.view;
         shot.endSample = state.settings.samples;
         shot.scaleMax = shot.view && !isHeatMap(*shot.view) ? farthestCorner() : state.settings.heatMax;
@@ -405,8 +404,8 @@ class Viewer {
     Controls controls;
     ViewerState state;
 
-    std::unique_ptr<Stage> stage;
-    Sides sides;           // use the stage
+    std::unique_ptr<render::DeviceScene> deviceScene;
+    Sides sides;           // use the device scene
     bool isStale = false;  // the picture is to begin anew
     bool isHalted = false; // there is none until something changes, or the window's size
     glm::uvec2 haltedSize{0};

@@ -75,7 +75,7 @@ class PathTest(ProgramTest):
     def test_a_scene_without_light_gets_a_sky_and_says_so(self):
         result = self.run_program("render", DEGENERATE, "-o", "a.exr", "--size", "32x24", "--spp", "1", "--quiet")
         self.assertEqual((result.returncode, result.stdout), (0, ""))
-        self.assertRegex(result.stderr, r"\Ametamarch: warning: .*: no light; .* --sky\n\Z")
+        self.assertRegex(result.stderr, r"\Ametamarch: warning: .*: no light; a clear sky lights it\n\Z")
         self.render(DEGENERATE, "--spp", "1", "--sky", name="b.exr")
         self.succeed("compare", "a.exr", "b.exr", "--max-abs", "0")
 

@@ -1,0 +1,61 @@
+#include "metamarch/render/picture.h"
+
+#include "metamarch/file/input_file.h"
+#include "metamarch/image/film_image.h"
+#include "metamarch/image/image_file.h"
+
+#include <fmt/format.h>
+
+namespace metamarch::render {
+namespace {
+
+void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& image) {
+    const auto add = [&](const char* const name, std::string value) {
+        image.attributes.emplace_back(name, std::move(value));
+    };
+    const auto point = [](const glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    const RenderSettings& settings = result.settings;
+    if (!settings.isPrimary()) {
+        add("metamarch/spp", fmt::format("{}", settings.samplesPerPixel));
+        add("metamarch/seed", fmt::format("{}", settings.path.seed));
+        add("metamarch/maxBounces", fmt::format("{}", settings.path.applied({}).maxBounces));
+    }
+    add("Software", origin.software);
+    add("metamarch/device", result.device);
+    add("metamarch/driver", result.driver);
+    add("metamarch/traversal", result.traversal);
+    add("metamarch/integrator", std::string(nameOf(settings.path.integrator)));
+    add("metamarch/scene", origin.sceneFile);
+    add("metamarch/camera", origin.camera.name);
+    add("metamarch/eye", point(origin.camera.eye));
+    add("metamarch/forward", point(origin.camera.forward));
+    add("metamarch/up", point(origin.camera.up));
+    add("metamarch/seconds", fmt::format("{:.3f}", result.seconds.render));
+}
+
+// A PNG without the channel A is opaque.
+void renameAlpha(Image& image) {
+    if (const auto alpha = image.findChannel("A")) {
+        image.channels[*alpha] = "coverage";
+    }
+}
+
+} // namespace
+
+Image imageOf(const RenderResult& result) {
+    const auto width = static_cast<int>(result.size.x);
+    const auto height = static_cast<int>(result.size.y);
+    return filmImage(result.film, width, height, aovsOf(nameOf(result.settings.path.integrator)));
+}
+
+void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
+                  const ToneMapping& toneMapping) {
+    Image image = imageOf(result);
+    addHeader(result, origin, image);
+    if (!result.settings.isPrimary() && lowerCaseEnding(path) == ".png") {
+        renameAlpha(image);
+    }
+    writeImage(image, path, toneMapping);
+}
+
+} // namespace metamarch::render

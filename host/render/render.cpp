@@ -1,0 +1,109 @@
+#include "metamarch/render/render.h"
+
+#include "metamarch/reference/path.h"
+#include "metamarch/reference/primary.h"
+#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/primary_renderer.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace metamarch::render {
+namespace {
+
+RenderCounts countOf(const std::vector<FilmPixel>& film) {
+    RenderCounts counts;
+    for (const FilmPixel& pixel : film) {
+        counts.rays += pixel.rays;
+        counts.shadowRays += pixel.shadowRays;
+        counts.steps += pixel.steps;
+        counts.tests += pixel.tests;
+        counts.rejected += pixel.rejected;
+        counts.hits += pixel.seen.triangleId != kNoTriangle ? 1 : 0;
+    }
+    return counts;
+}
+
+// `draw` fills the pixels of the result, and says where and how they were made.
+template <class Draw>
+RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
+                      const OnProgress& onProgress, const Draw& draw) {
+    if (!settings.isPrimary() &&
+        !(scene.shading != nullptr && scene.shadingOptions == settings.path.shading())) {
+        throw std::invalid_argument(
+            fmt::format("renderPicture: the scene is not lit for {}", nameOf(settings.path.integrator)));
+    }
+    RenderResult result;
+    result.settings = settings;
+    result.size = {camera.width, camera.height};
+    const OnProgress watch = [&](const double part) {
+        const bool isOn = !onProgress || onProgress(part);
+        result.isCancelled = !isOn && part < 1.0;
+        return isOn;
+    };
+    const Stopwatch stopwatch;
+    draw(result, watch);
+    result.seconds.render = stopwatch.seconds();
+    result.counts = countOf(result.film);
+    if (result.counts.rejected > 0) {
+        result.warnings.push_back(
+            fmt::format("{} samples were not finite and are left out", result.counts.rejected));
+    }
+    return result;
+}
+
+template <class Render>
+void takeTimes(const Render& render, RenderResult& result) {
+    result.seconds.firstSubmission = render.firstSeconds;
+    result.seconds.device = render.deviceSeconds;
+    result.submissions = render.submissions;
+}
+
+} // namespace
+
+RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
+                           const OnProgress& onProgress) {
+    const auto draw = [&](RenderResult& result, const OnProgress& watch) {
+        result.device = "cpu";
+        result.driver = "metamarch";
+        result.traversal = "kd_stack";
+        if (settings.isPrimary()) {
+            const ShadingData shading = makeShadingData(*scene.scene);
+            result.film = renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle,
+                                             camera, watch);
+        } else {
+            result.film = renderPathsOnCpu(*scene.structure, *scene.shading,
+                                           settings.path.applied(scene.shading->settings), camera,
+                                           settings.samplesPerPixel, watch);
+        }
+    };
+    return renderBy(scene, camera, settings, onProgress, draw);
+}
+
+RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
+                           const OnProgress& onProgress) {
+    const auto draw = [&](RenderResult& result, const OnProgress& watch) {
+        result.device = scene.device().name();
+        result.driver = scene.device().report().driverInfo;
+        result.traversal = settings.traversal;
+        result.seconds.upload = scene.uploadSeconds();
+        if (settings.isPrimary()) {
+            PrimaryRender render =
+                renderPrimaryOnDevice(scene.device(), scene.buffers(), settings.traversal, camera, watch);
+            takeTimes(render, result);
+            result.film = std::move(render.pixels);
+        } else {
+            PathRender render =
+                renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), settings.traversal,
+                                    settings.path.applied(scene.scene().shading->settings), camera,
+                                    settings.samplesPerPixel, watch);
+            takeTimes(render, result);
+            result.film = std::move(render.film);
+        }
+    };
+    return renderBy(scene.scene(), camera, settings, onProgress, draw);
+}
+
+} // namespace metamarch::render
