@@ -1,6 +1,7 @@
 #include "metamarch/shading/shading_builder.h"
 
 #include "metamarch/shading/light/light_store.h"
+#include "metamarch/shading/shading.h"
 #include "metamarch/shading/texture/texel_store.h"
 #include "metamarch/shared/surface.h"
 
@@ -118,20 +119,10 @@ Material whitened(const Material& material) {
     return white;
 }
 
-// Of triangles that name none.
-Material fallbackMaterial() {
-    Material grey;
-    grey.baseColorFactor = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
-    grey.metallicFactor = 0.0f;
-    return grey;
-}
-
 void addSurfaces(const Scene& scene, ShadingScene& target) {
-    const auto fallback = static_cast<std::uint32_t>(scene.materials.size());
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
         const glm::uvec3 corners = scene.triangles[i];
-        target.surfaces.push_back(
-            {corners.x, corners.y, corners.z, std::min(scene.triangleMaterial[i], fallback)});
+        target.surfaces.push_back({corners.x, corners.y, corners.z, materialOf(scene, i)});
     }
     for (std::size_t i = 0; i < scene.positions.size(); ++i) {
         const glm::vec2 first = scene.texCoords.empty() ? glm::vec2(0.0f) : scene.texCoords[i];
@@ -154,10 +145,8 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
                               const ShadingOptions& options, const std::uint64_t chunkBytes) {
     ShadingScene target;
     TexelStore texels(scene, chunkBytes, target);
-    std::vector<Material> materials = scene.materials;
-    materials.push_back(fallbackMaterial());
     std::vector<glm::vec3> meanEmission;
-    for (const Material& given : materials) {
+    for (const Material& given : materialsWithGrey(scene)) {
         const Material material = options.isWhite ? whitened(given) : given;
         target.features |= featuresOf(material);
         target.materials.push_back(recordOf(material, options, texels));
