@@ -9,29 +9,32 @@
 
 SHARED_BEGIN
 
-const uint kFeatureCoat = 1u;
-const uint kFeatureSheen = 2u;
-const uint kFeatureTransmission = 4u;
-const uint kFeatureVolume = 8u; // refraction; wants kFeatureTransmission
-const uint kFeatureIridescence = 16u;
-const uint kFeatureDiffuseTransmission = 32u;
-const uint kBsdfFeatures = 63u; // those above: the BSDF's
-const uint kFeatureTextures = 64u;
-const uint kFeatureDeepTextures = 128u; // of more than 8 bits a channel
-const uint kFeatureNormalMaps = 256u;   // the coat's, too
-const uint kFeatureAnisotropy = 512u;
-const uint kFeatureColors = 1024u; // of vertices
-const uint kFeatureAlpha = 2048u;  // materials with holes
-const uint kFeatureDispersion = 4096u;
-const uint kFeatureSpecular = 8192u;
-const uint kFeatureUnlit = 16384u;
-const uint kFeatureEmission = 32768u;
-const uint kFeatureLights = 65536u;       // something that light sampling can find
-const uint kFeatureEnvironment = 131072u; // a map, and not only a constant colour
-const uint kFeatureFacets =
-    262144u; // the base reflects or refracts, or there is sheen: all but diffuse scenes
-const uint kFeatureMipmaps = 524288u; // textures whose filter asks how large a texel is seen
-const uint kAllFeatures = 1048575u;
+// The BSDF's.
+const uint kFeatureCoat = 1u << 0u;
+const uint kFeatureSheen = 1u << 1u;
+const uint kFeatureTransmission = 1u << 2u;
+const uint kFeatureVolume = 1u << 3u; // refraction; wants kFeatureTransmission
+const uint kFeatureIridescence = 1u << 4u;
+const uint kFeatureDiffuseTransmission = 1u << 5u;
+const uint kBsdfFeatures = kFeatureCoat | kFeatureSheen | kFeatureTransmission | kFeatureVolume |
+                           kFeatureIridescence | kFeatureDiffuseTransmission;
+
+const uint kFeatureTextures = 1u << 6u;
+const uint kFeatureDeepTextures = 1u << 7u; // of more than 8 bits a channel
+const uint kFeatureNormalMaps = 1u << 8u;   // the coat's, too
+const uint kFeatureAnisotropy = 1u << 9u;
+const uint kFeatureColors = 1u << 10u; // of vertices
+const uint kFeatureAlpha = 1u << 11u;  // materials with holes
+const uint kFeatureDispersion = 1u << 12u;
+const uint kFeatureSpecular = 1u << 13u;
+const uint kFeatureUnlit = 1u << 14u;
+const uint kFeatureEmission = 1u << 15u;
+const uint kFeatureLights = 1u << 16u;      // something that light sampling can find
+const uint kFeatureEnvironment = 1u << 17u; // a map, and not only a constant colour
+const uint kFeatureFacets = 1u << 18u;      // the base reflects or refracts, or there is sheen
+const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter asks how large a texel is seen
+const uint kFirstFreeFeature = 1u << 20u;
+const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES
 #define SHADING_FEATURES kAllFeatures
