@@ -1,4 +1,4 @@
-// What shading reads of the scene. src/scene/shading_scene.h has the same functions for the CPU.
+// What shading reads of the scene. shared/shading_scene.h has the same functions for the CPU.
 #ifndef METAMARCH_LIB_SHADING_GLSL
 #define METAMARCH_LIB_SHADING_GLSL
 #include "lib/memory.glsl"
@@ -41,45 +41,39 @@ Vertex loadVertex(const uint i) {
 vec4 loadColor(const uint i) { return uintBitsToFloat(LOAD4(colorWords, i)); }
 vec4 loadTangent(const uint i) { return uintBitsToFloat(LOAD4(tangentWords, i)); }
 
-// Rows that no material of the scene uses are not read: what they hold is not looked at.
-uvec4 loadMaterialRow(const uint i, const uint row, const bool isUsed) {
-    return isUsed ? LOAD4(materialWords, i * kMaterialRows + row) : uvec4(0u);
-}
-
-// The same of textures' indices: a record that is not read has none.
-uvec4 loadTextureRow(const uint i, const uint row, const bool isUsed) {
-    return isUsed ? LOAD4(materialWords, i * kMaterialRows + row) : uvec4(kNoTextureRecord);
-}
-
+// One load for each row of material_rows.h that the scene uses.
 MaterialRecord loadMaterial(const uint i) {
-    const bool isPainted = hasFeature(kFeatureTextures);
-    const vec4 base = uintBitsToFloat(loadMaterialRow(i, 0u, true));
-    const vec4 emission = uintBitsToFloat(loadMaterialRow(i, 1u, hasFeature(kFeatureEmission)));
-    const uvec4 plain = loadMaterialRow(i, 2u, true);
-    const uvec4 textures = loadTextureRow(i, 3u, isPainted);
-    const vec4 more = uintBitsToFloat(loadMaterialRow(
-        i, 4u, hasFeature(kFeatureNormalMaps | kFeatureAlpha | kFeatureTransmission | kFeatureDispersion)));
-    const uvec4 volume = loadMaterialRow(i, 5u, hasFeature(kFeatureTransmission));
-    const vec4 specular = uintBitsToFloat(loadMaterialRow(i, 6u, hasFeature(kFeatureSpecular)));
-    const vec4 sheen = uintBitsToFloat(loadMaterialRow(i, 7u, hasFeature(kFeatureSheen)));
-    const bool isTranslucent = hasFeature(kFeatureDiffuseTransmission);
-    const vec4 translucent = uintBitsToFloat(loadMaterialRow(i, 8u, isTranslucent));
-    const vec4 coat = uintBitsToFloat(loadMaterialRow(i, 9u, hasFeature(kFeatureCoat | kFeatureAnisotropy)));
-    const vec4 film = uintBitsToFloat(loadMaterialRow(i, 10u, hasFeature(kFeatureIridescence)));
-    const uvec4 turn =
-        loadMaterialRow(i, 11u, hasFeature(kFeatureAnisotropy) || (isPainted && isTranslucent));
-    const uvec4 textures2 = loadTextureRow(i, 12u, isPainted && hasFeature(kFeatureSpecular | kFeatureSheen));
-    const uvec4 textures3 =
-        loadTextureRow(i, 13u, isPainted && hasFeature(kFeatureCoat | kFeatureAnisotropy));
-    const uvec4 textures4 = loadTextureRow(i, 14u, isPainted && hasFeature(kFeatureIridescence));
-    return MaterialRecord(base.xyz, base.w, emission.xyz, emission.w, uintBitsToFloat(plain.x),
-                          uintBitsToFloat(plain.y), uintBitsToFloat(plain.z), plain.w, textures.x, textures.y,
-                          textures.z, textures.w, more.x, more.y, more.z, more.w, uintBitsToFloat(volume.xyz),
-                          volume.w, specular.xyz, specular.w, sheen.xyz, sheen.w, translucent.xyz,
-                          translucent.w, coat.x, coat.y, coat.z, coat.w, film.x, film.y, film.z, film.w,
-                          uintBitsToFloat(turn.x), uintBitsToFloat(turn.y), turn.z, turn.w, textures2.x,
-                          textures2.y, textures2.z, textures2.w, textures3.x, textures3.y, textures3.z,
-                          textures3.w, textures4.x, textures4.y, 0u, 0u);
+    MaterialRecord record;
+#define PARAMETER(type, name, value) record.name = type(0);
+#define TEXTURE(name, value) record.name = kNoTextureRecord;
+#include "shared/material_rows.h"
+
+    // Here an entry becomes `name = conversion`, so that record.X(words.x) reads
+    // record.metallic = uintBitsToFloat(words.x).
+    uint row = i * kMaterialRows;
+#define BITS_TO_float uintBitsToFloat
+#define BITS_TO_vec3 uintBitsToFloat
+#define BITS_TO_uint
+#define PARAMETER(type, name, value) name = BITS_TO_##type
+#define TEXTURE(name, value) name =
+#define MATERIAL_ROW(condition, X, Y, Z, W)                                                                  \
+    if (condition) {                                                                                         \
+        const uvec4 words = LOAD4(materialWords, row);                                                       \
+        record.X(words.x);                                                                                   \
+        record.Y(words.y);                                                                                   \
+        record.Z(words.z);                                                                                   \
+        record.W(words.w);                                                                                   \
+    }                                                                                                        \
+    ++row;
+#define MATERIAL_VECTOR_ROW(condition, XYZ, W)                                                               \
+    if (condition) {                                                                                         \
+        const uvec4 words = LOAD4(materialWords, row);                                                       \
+        record.XYZ(words.xyz);                                                                               \
+        record.W(words.w);                                                                                   \
+    }                                                                                                        \
+    ++row;
+#include "shared/material_rows.h"
+    return record;
 }
 
 TextureLevel loadTextureLevel(const uint i) {

@@ -58,60 +58,19 @@ const uint kMaterialUnlit = 8u;
 const uint kMaterialMask = 16u;
 const uint kMaterialBlend = 32u;
 
-// Factors and textures of a Material (src/scene/material.h), in rows of four words. Textures are indices of
-// TextureRecords or kNoTextureRecord. Only rows whose feature a scene has are read.
+// Factors and textures of a Material (src/scene/material.h), as material_rows.h lists them.
 struct MaterialRecord {
-    vec3 baseColor;
-    float alpha;
-    vec3 emission;         // radiance
-    float emissionDensity; // of light sampling, per area of emitter; 0: it does not know this material
-    float metallic;
-    float roughness;
-    float ior;
-    uint flags;
-    uint baseColorTexture;
-    uint metallicRoughnessTexture;
-    uint normalTexture;
-    uint emissionTexture;
-
-    float normalScale;
-    float alphaCutoff;
-    float transmission;
-    float dispersion;
-    vec3 absorption; // per world unit, inside a volume
-    uint transmissionTexture;
-    vec3 specularColor;
-    float specular;
-    vec3 sheenColor;
-    float sheenRoughness;
-    vec3 diffuseTransmissionColor;
-    float diffuseTransmission;
-    float coat;
-    float coatRoughness;
-    float coatNormalScale;
-    float anisotropy;
-    float iridescence;
-    float iridescenceIor;
-    float iridescenceThicknessMinimum; // nanometres
-    float iridescenceThicknessMaximum;
-    float anisotropyCosine; // of the rotation
-    float anisotropySine;
-    uint diffuseTransmissionTexture;
-    uint diffuseTransmissionColorTexture;
-    uint specularTexture;
-    uint specularColorTexture;
-    uint sheenColorTexture;
-    uint sheenRoughnessTexture;
-    uint coatTexture;
-    uint coatRoughnessTexture;
-    uint coatNormalTexture;
-    uint anisotropyTexture;
-    uint iridescenceTexture;
-    uint iridescenceThicknessTexture;
-    uint padding0;
-    uint padding1;
+#define PARAMETER(type, name, value) type name;
+#define TEXTURE(name, value) uint name;
+#include "material_rows.h"
 };
-const uint kMaterialRows = 15u;
+
+// In a MaterialRecord, of four words each.
+#define MATERIAL_ROW(condition, X, Y, Z, W) +1u
+#define MATERIAL_VECTOR_ROW(condition, XYZ, W) +1u
+const uint kMaterialRows = 0u
+#include "material_rows.h"
+    ;
 
 // TextureRecord::flags.
 const uint kTextureWrapMask = 3u; // of s in bits 0 and 1, of t in bits 2 and 3
@@ -167,21 +126,7 @@ SHARED_ASSERT_OFFSET(Surface, material, 12)
 SHARED_ASSERT_SIZE(Vertex, 32)
 SHARED_ASSERT_OFFSET(Vertex, u0, 12)
 SHARED_ASSERT_OFFSET(Vertex, v0, 16)
-SHARED_ASSERT_SIZE(MaterialRecord, 240)
-SHARED_ASSERT_OFFSET(MaterialRecord, emission, 16)
-SHARED_ASSERT_OFFSET(MaterialRecord, metallic, 32)
-SHARED_ASSERT_OFFSET(MaterialRecord, baseColorTexture, 48)
-SHARED_ASSERT_OFFSET(MaterialRecord, normalScale, 64)
-SHARED_ASSERT_OFFSET(MaterialRecord, absorption, 80)
-SHARED_ASSERT_OFFSET(MaterialRecord, specularColor, 96)
-SHARED_ASSERT_OFFSET(MaterialRecord, sheenColor, 112)
-SHARED_ASSERT_OFFSET(MaterialRecord, diffuseTransmissionColor, 128)
-SHARED_ASSERT_OFFSET(MaterialRecord, coat, 144)
-SHARED_ASSERT_OFFSET(MaterialRecord, iridescence, 160)
-SHARED_ASSERT_OFFSET(MaterialRecord, anisotropyCosine, 176)
-SHARED_ASSERT_OFFSET(MaterialRecord, specularTexture, 192)
-SHARED_ASSERT_OFFSET(MaterialRecord, coatTexture, 208)
-SHARED_ASSERT_OFFSET(MaterialRecord, iridescenceTexture, 224)
+SHARED_ASSERT_SIZE(MaterialRecord, 16 * kMaterialRows)
 SHARED_ASSERT_SIZE(TextureUse, 32)
 SHARED_ASSERT_OFFSET(TextureUse, unitLevel, 12)
 SHARED_ASSERT_OFFSET(TextureUse, rowV, 16)

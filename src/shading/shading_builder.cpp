@@ -22,9 +22,9 @@ glm::vec3 absorptionOf(const Material& material) {
            material.attenuationDistance;
 }
 
-std::uint32_t flagsOf(const Material& material, const bool isSingleScatter) {
+std::uint32_t flagsOf(const Material& material, const ShadingOptions& options) {
     return (material.thicknessFactor > 0.0f ? kSurfaceVolume : 0u) |
-           (isSingleScatter ? kSurfaceSingleScatter : 0u) |
+           (options.isSingleScatter ? kSurfaceSingleScatter : 0u) |
            (material.doubleSided ? kMaterialDoubleSided : 0u) | (material.unlit ? kMaterialUnlit : 0u) |
            (material.alphaMode == AlphaMode::mask ? kMaterialMask : 0u) |
            (material.alphaMode == AlphaMode::blend ? kMaterialBlend : 0u);
@@ -57,53 +57,14 @@ std::uint32_t featuresOf(const Material& m) {
 }
 
 MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelStore& texels) {
+    const auto addTexture = [&](const TextureRef& ref) {
+        const bool hasHoles = &ref == &m.baseColorTexture && m.alphaMode != AlphaMode::opaque;
+        return texels.add(ref, hasHoles ? ColorWeight::byAlpha : ColorWeight::equal);
+    };
     MaterialRecord record{};
-    record.baseColor = glm::vec3(m.baseColorFactor);
-    record.alpha = m.baseColorFactor.a;
-    record.emission = m.emissiveFactor * m.emissiveStrength;
-    record.metallic = m.metallicFactor;
-    record.roughness = m.roughnessFactor;
-    record.ior = m.ior;
-    record.flags = flagsOf(m, options.isSingleScatter);
-    record.baseColorTexture = texels.add(
-        m.baseColorTexture, m.alphaMode == AlphaMode::opaque ? ColorWeight::equal : ColorWeight::byAlpha);
-    record.metallicRoughnessTexture = texels.add(m.metallicRoughnessTexture);
-    record.normalTexture = texels.add(m.normalTexture);
-    record.emissionTexture = texels.add(m.emissiveTexture);
-    record.normalScale = m.normalScale;
-    record.alphaCutoff = m.alphaCutoff;
-    record.transmission = m.transmissionFactor;
-    record.dispersion = m.dispersion;
-    record.absorption = absorptionOf(m);
-    record.transmissionTexture = texels.add(m.transmissionTexture);
-    record.specularColor = m.specularColorFactor;
-    record.specular = m.specularFactor;
-    record.sheenColor = m.sheenColorFactor;
-    record.sheenRoughness = m.sheenRoughnessFactor;
-    record.diffuseTransmissionColor = m.diffuseTransmissionColorFactor;
-    record.diffuseTransmission = m.diffuseTransmissionFactor;
-    record.coat = m.clearcoatFactor;
-    record.coatRoughness = m.clearcoatRoughnessFactor;
-    record.coatNormalScale = m.clearcoatNormalScale;
-    record.anisotropy = m.anisotropyStrength;
-    record.iridescence = m.iridescenceFactor;
-    record.iridescenceIor = m.iridescenceIor;
-    record.iridescenceThicknessMinimum = m.iridescenceThicknessMinimum;
-    record.iridescenceThicknessMaximum = m.iridescenceThicknessMaximum;
-    record.anisotropyCosine = std::cos(m.anisotropyRotation);
-    record.anisotropySine = std::sin(m.anisotropyRotation);
-    record.diffuseTransmissionTexture = texels.add(m.diffuseTransmissionTexture);
-    record.diffuseTransmissionColorTexture = texels.add(m.diffuseTransmissionColorTexture);
-    record.specularTexture = texels.add(m.specularTexture);
-    record.specularColorTexture = texels.add(m.specularColorTexture);
-    record.sheenColorTexture = texels.add(m.sheenColorTexture);
-    record.sheenRoughnessTexture = texels.add(m.sheenRoughnessTexture);
-    record.coatTexture = texels.add(m.clearcoatTexture);
-    record.coatRoughnessTexture = texels.add(m.clearcoatRoughnessTexture);
-    record.coatNormalTexture = texels.add(m.clearcoatNormalTexture);
-    record.anisotropyTexture = texels.add(m.anisotropyTexture);
-    record.iridescenceTexture = texels.add(m.iridescenceTexture);
-    record.iridescenceThicknessTexture = texels.add(m.iridescenceThicknessTexture);
+#define PARAMETER(type, name, value) record.name = value;
+#define TEXTURE(name, value) record.name = addTexture(value);
+#include "metamarch/shared/material_rows.h"
     return record;
 }
 
