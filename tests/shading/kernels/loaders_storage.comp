@@ -1,0 +1,4 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define METAMARCH_TEXEL_BUFFERS 0
+#include "shading/kernels/loaders.glsl"
