@@ -2,86 +2,17 @@
 // belong to the traversal.
 #include "fixtures/shared_scenes.h"
 #include "fixtures/vulkan_environment.h"
-#include "metamarch/reference/path.h"
-#include "metamarch/render/path_renderer.h"
 #include "metamarch/scene/import.h"
-#include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/light/sky.h"
-#include "metamarch/shading/shading.h"
+#include "path/both_sides.h"
 #include "path/gpu_scenes.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <iostream>
 
 namespace metamarch::tests {
 namespace {
-
-struct Picture {
-    std::uint32_t width;
-    std::uint32_t height;
-};
-
-// A scene on both sides.
-class Sides {
-  public:
-    Sides(const PathScene& given, const Picture size)
-        : made(given), structure(buildAccelerationStructure(made.scene, {})), shading(shadingOf(made)),
-          primary(makeShadingData(made.scene)),
-          camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
-
-    std::vector<FilmPixel> onCpu(const PathWork& work) const {
-        return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
-    }
-
-    enum class Where { fasterMemory, storageBuffers };
-
-    render::PathRender onDevice(const std::string& traversal, const PathWork& work,
-                                const Where where = Where::fasterMemory) const {
-        const vulkan::Device& device = vulkan::testDevice();
-        const render::SceneBuffers buffers =
-            where == Where::fasterMemory
-                ? render::SceneBuffers(device, structure, primary)
-                : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
-        const render::ShadingBuffers shadingBuffers(device, shading);
-        return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal,
-                                           settingsOf(shading, work), camera, work.samples);
-    }
-
-  private:
-    PathScene made;
-    AccelerationStructure structure;
-    ShadingScene shading;
-    ShadingData primary;
-    Camera camera;
-};
-
-const std::string kDefaultTraversal(traversals().front());
-
-void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected) {
-    ASSERT_EQ(film.size(), expected.size());
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < film.size(); ++i) {
-        const bool isSame = std::memcmp(&film[i], &expected[i], offsetof(FilmPixel, steps)) == 0;
-        if (!isSame && different++ == 0) {
-            ADD_FAILURE() << "pixel " << i << ": radiance " << film[i].radiance.r << " " << film[i].radiance.g
-                          << " " << film[i].radiance.b << ", expected " << expected[i].radiance.r << " "
-                          << expected[i].radiance.g << " " << expected[i].radiance.b << "; rays "
-                          << film[i].rays << ", " << expected[i].rays;
-        }
-    }
-    EXPECT_EQ(different, 0u) << "pixels of " << film.size();
-}
-
-// Not all of them black or alike.
-void expectPicture(const std::vector<FilmPixel>& film) {
-    std::size_t bright = 0;
-    for (const FilmPixel& pixel : film) {
-        bright += pixel.radiance.g > 0.0f ? 1 : 0;
-    }
-    EXPECT_GT(bright, film.size() / 20);
-}
 
 class PathGpu : public testing::TestWithParam<GpuPathScene> {
   protected:
@@ -90,7 +21,7 @@ class PathGpu : public testing::TestWithParam<GpuPathScene> {
 
 TEST_P(PathGpu, drawsWhatTheCpuDraws) {
     const PathWork work = GetParam().work;
-    const Sides sides(GetParam().make(), {work.side + 12, work.side + 4});
+    const BothSides sides(GetParam().make(), {work.side + 12, work.side + 4});
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
     expectSameFilm(sides.onDevice(kDefaultTraversal, work).film, expected);
@@ -107,7 +38,7 @@ class PathGpuWork : public testing::Test {
 };
 
 TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
-    const Sides sides(blended(), {28, 20});
+    const BothSides sides(blended(), {28, 20});
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
     for (const std::string_view traversal : traversals()) {
@@ -123,14 +54,14 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
 
 // llvmpipe takes half a minute to compile all features over storage buffers: so not of everything.
 TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
-    const Sides sides(blended(), {28, 20});
-    expectSameFilm(sides.onDevice(kDefaultTraversal, work, Sides::Where::storageBuffers).film,
+    const BothSides sides(blended(), {28, 20});
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work, BothSides::Where::storageBuffers).film,
                    sides.onCpu(work));
 }
 
 // More samples than one dispatch takes, more tiles than a submission.
 TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
-    const Sides sides(gpuPathScenes().front().make(), {100, 70});
+    const BothSides sides(gpuPathScenes().front().make(), {100, 70});
     const PathWork many{.samples = 37, .maxBounces = 2};
     const render::PathRender whole = sides.onDevice(kDefaultTraversal, many);
     EXPECT_GE(whole.submissions, 4u);
@@ -139,7 +70,7 @@ TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
 
 // More tiles than the film on the device holds: 2^14 of 8 x 8 pixels.
 TEST_F(PathGpuWork, bandsDrawTheSame) {
-    const Sides sides(gpuPathScenes().front().make(), {1153, 1000});
+    const BothSides sides(gpuPathScenes().front().make(), {1153, 1000});
     const PathWork few{.samples = 1, .maxBounces = 0};
     expectSameFilm(sides.onDevice(kDefaultTraversal, few).film, sides.onCpu(few));
 }
@@ -173,7 +104,7 @@ TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
     made.view = made.scene.cameras.empty()
                     ? frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 4.0f / 3.0f)
                     : made.scene.cameras.front();
-    const Sides sides(made, {48, 36});
+    const BothSides sides(made, {48, 36});
     const PathWork work{.samples = 4};
     const auto expected = sides.onCpu(work);
     expectPicture(expected);

@@ -1,0 +1,63 @@
+#include "path/both_sides.h"
+
+#include "fixtures/vulkan_environment.h"
+#include "metamarch/reference/path.h"
+#include "metamarch/shaders/shader_library.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace metamarch::tests {
+
+const std::string kDefaultTraversal(traversals().front());
+
+BothSides::BothSides(const PathScene& given, const Picture size)
+    : made(given), structure(buildAccelerationStructure(made.scene, {})), shading(shadingOf(made)),
+      primary(makeShadingData(made.scene)),
+      camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
+
+std::vector<FilmPixel> BothSides::onCpu(const PathWork& work) const {
+    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
+}
+
+render::PathRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
+                                       const Where where) const {
+    const vulkan::Device& device = vulkan::testDevice();
+    const render::SceneBuffers buffers =
+        where == Where::fasterMemory
+            ? render::SceneBuffers(device, structure, primary)
+            : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
+    const render::ShadingBuffers shadingBuffers(device, shading);
+    return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settingsOf(shading, work),
+                                       camera, work.samples);
+}
+
+bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {
+    return std::memcmp(&a, &b, offsetof(FilmPixel, steps)) == 0;
+}
+
+void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected) {
+    ASSERT_EQ(film.size(), expected.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < film.size(); ++i) {
+        if (!isSamePixel(film[i], expected[i]) && different++ == 0) {
+            ADD_FAILURE() << "pixel " << i << ": radiance " << film[i].radiance.r << " " << film[i].radiance.g
+                          << " " << film[i].radiance.b << ", expected " << expected[i].radiance.r << " "
+                          << expected[i].radiance.g << " " << expected[i].radiance.b << "; rays "
+                          << film[i].rays << ", " << expected[i].rays;
+        }
+    }
+    EXPECT_EQ(different, 0u) << "pixels of " << film.size();
+}
+
+// Not all of them black or alike.
+void expectPicture(const std::vector<FilmPixel>& film) {
+    std::size_t bright = 0;
+    for (const FilmPixel& pixel : film) {
+        bright += pixel.radiance.g > 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(bright, film.size() / 20);
+}
+
+} // namespace metamarch::tests
