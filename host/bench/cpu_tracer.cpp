@@ -38,7 +38,7 @@ Judgement judge(const AccelerationStructure& structure, const std::span<const Ra
         const Ray ray = makeRay(structure.lattice, rays[i]);
         const TraceResult trace = traceKdStack(structure, ray, query);
         judgement.results[i] = resultOf(ray, trace);
-        judgement.slots[i] = trace.hit.triangleId == kNoTriangle ? kNoSlot : trace.slot;
+        judgement.recordIndices[i] = trace.hit.triangleId == kNoTriangle ? kNoRecord : trace.recordIndex;
     });
     return judgement;
 }
@@ -52,12 +52,12 @@ TimedRun traceInOneThread(const StructureSet& structures, const std::span<const 
 }
 
 TimedRun traceFloorInOneThread(const AccelerationStructure& structure, const std::span<const RayQuery> rays,
-                               const std::span<const std::uint32_t> slots) {
+                               const std::span<const std::uint32_t> recordIndices) {
     return runInOneThread(rays.size(), [&](const std::size_t i) {
         const Ray ray = makeRay(structure.lattice, rays[i]);
         TraceResult trace = startTrace(ray);
-        if (slots[i] != kNoSlot) {
-            testTriangle(structure.triangles, ray, slots[i], trace);
+        if (recordIndices[i] != kNoRecord) {
+            testTriangle(structure.triangles, ray, recordIndices[i], trace);
         }
         return resultOf(ray, trace);
     });

@@ -10,8 +10,8 @@ namespace metamarch::bench {
 
 // What every traversal is compared with.
 struct Judgement {
-    std::vector<RayResult> results;   // one per ray
-    std::vector<std::uint32_t> slots; // each hit's record in structure.triangles; kNoSlot for a miss
+    std::vector<RayResult> results;           // one per ray
+    std::vector<std::uint32_t> recordIndices; // of hits in structure.triangles; kNoRecord for a miss
 };
 
 // The CPU's stack traversal, on all processors.
@@ -28,6 +28,6 @@ TimedRun traceInOneThread(const StructureSet& structures, std::span<const RayQue
 
 // The same when the record that each ray hits is known, as the kernel `floor` does it.
 TimedRun traceFloorInOneThread(const AccelerationStructure& structure, std::span<const RayQuery> rays,
-                               std::span<const std::uint32_t> slots);
+                               std::span<const std::uint32_t> recordIndices);
 
 } // namespace metamarch::bench

@@ -59,9 +59,9 @@ std::vector<SurfacePoint> surfacePoints(const AccelerationStructure& structure,
     const Judgement judged = judge(structure, rays, HitQuery::closest);
     std::vector<SurfacePoint> points;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (judged.slots[i] != kNoSlot) {
+        if (judged.recordIndices[i] != kNoRecord) {
             points.push_back(
-                surfacePoint(rays[i], judged.results[i].t, structure.triangles[judged.slots[i]]));
+                surfacePoint(rays[i], judged.results[i].t, structure.triangles[judged.recordIndices[i]]));
         }
     }
     return points;

@@ -67,14 +67,14 @@ Row benchFloorOnDevice(const BenchScene& scene, const JudgedRays& rays, const vu
                        const render::SceneBuffers& buffers, const Protocol& protocol) {
     render::FloorTracer tracer(device, buffers);
     Row row = measuredRow(scene, rays, kFloor, "gpu", device.name(), deviceTolerance(device, scene), protocol,
-                          [&] { return timedRun(tracer, rays.set.rays, rays.judged.slots); });
+                          [&] { return timedRun(tracer, rays.set.rays, rays.judged.recordIndices); });
     compareWithFloor(row, row);
     return row;
 }
 
 Row benchFloorOnCpu(const BenchScene& scene, const JudgedRays& rays, const Protocol& protocol) {
     Row row = measuredRow(scene, rays, kFloor, "cpu", kOneThread, {}, protocol, [&] {
-        return traceFloorInOneThread(scene.structure, rays.set.rays, rays.judged.slots);
+        return traceFloorInOneThread(scene.structure, rays.set.rays, rays.judged.recordIndices);
     });
     compareWithFloor(row, row);
     return row;

@@ -6,12 +6,12 @@ FloorTracer::FloorTracer(const vulkan::Device& device, const SceneBuffers& scene
     : batches(device, scene.makePipeline(device, "floor", "",
                                          {.storageBindings = {kBindOutput},
                                           .texelBindings = {{kBindInput, vk::Format::eR32G32B32A32Uint},
-                                                            {kBindKnownSlots, vk::Format::eR32Uint}},
+                                                            {kBindKnownRecords, vk::Format::eR32Uint}},
                                           .pushConstantSize = sizeof(RaysPush)})) {}
 
 std::vector<RayResult> FloorTracer::trace(const std::span<const RayQuery> rays,
-                                          const std::span<const std::uint32_t> slots) {
-    return batches.run(rays, slots);
+                                          const std::span<const std::uint32_t> recordIndices) {
+    return batches.run(rays, recordIndices);
 }
 
 } // namespace metamarch::render

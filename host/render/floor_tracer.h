@@ -12,9 +12,10 @@ class FloorTracer {
   public:
     FloorTracer(const vulkan::Device& device, const SceneBuffers& scene);
 
-    // One result per ray, in their order. `slots` names each ray's hit among the records of the
-    // AccelerationStructure; kNoSlot for a miss, for which nothing is tested.
-    std::vector<RayResult> trace(std::span<const RayQuery> rays, std::span<const std::uint32_t> slots);
+    // One result per ray, in their order. `recordIndices` names each ray's hit among the records of the
+    // AccelerationStructure; kNoRecord for a miss, for which nothing is tested.
+    std::vector<RayResult> trace(std::span<const RayQuery> rays,
+                                 std::span<const std::uint32_t> recordIndices);
 
     // RayBatches::deviceSeconds of the last call of trace().
     double deviceSeconds() const { return batches.deviceSeconds(); }

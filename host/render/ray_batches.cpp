@@ -21,29 +21,30 @@ RayBatches::RayBatches(const vulkan::Device& usedDevice, vulkan::ComputePipeline
     : device(usedDevice), pipeline(std::move(kernelPipeline)), submission(usedDevice), work(kMostGroups) {}
 
 std::vector<RayResult> RayBatches::run(const std::span<const RayQuery> rays,
-                                       const std::span<const std::uint32_t> knownSlots) {
+                                       const std::span<const std::uint32_t> knownRecords) {
     seconds = 0.0;
     std::vector<RayResult> results;
     results.reserve(rays.size());
     for (std::size_t first = 0; first < rays.size(); first += kBatch) {
         const std::size_t count = std::min(kBatch, rays.size() - first);
-        const std::vector<RayResult> batch = runBatch(
-            rays.subspan(first, count), knownSlots.empty() ? knownSlots : knownSlots.subspan(first, count));
+        const std::vector<RayResult> batch =
+            runBatch(rays.subspan(first, count),
+                     knownRecords.empty() ? knownRecords : knownRecords.subspan(first, count));
         results.insert(results.end(), batch.begin(), batch.end());
     }
     return results;
 }
 
 std::vector<RayResult> RayBatches::runBatch(const std::span<const RayQuery> rays,
-                                            const std::span<const std::uint32_t> knownSlots) {
+                                            const std::span<const std::uint32_t> knownRecords) {
     const vulkan::Buffer input = vulkan::upload(device, rays, "rays");
     const vulkan::Buffer output(device, vulkan::BufferUse::storage, rays.size() * sizeof(RayResult), "hits");
     pipeline.bind(kBindInput, input);
     pipeline.bind(kBindOutput, output);
-    std::optional<vulkan::Buffer> slots;
-    if (!knownSlots.empty()) {
-        slots = vulkan::upload(device, knownSlots, "known slots");
-        pipeline.bind(kBindKnownSlots, *slots);
+    std::optional<vulkan::Buffer> recordIndices;
+    if (!knownRecords.empty()) {
+        recordIndices = vulkan::upload(device, knownRecords, "known records");
+        pipeline.bind(kBindKnownRecords, *recordIndices);
     }
 
     const auto end = static_cast<std::uint32_t>(rays.size());

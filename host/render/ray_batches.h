@@ -16,9 +16,9 @@ class RayBatches {
     // `kernelPipeline` has bindings kBindInput for the rays and kBindOutput for the results, and RaysPush.
     RayBatches(const vulkan::Device& device, vulkan::ComputePipeline kernelPipeline);
 
-    // One result per ray, in their order. A kernel that is told the hits has a binding kBindKnownSlots for
-    // `knownSlots`, one per ray; for others they are empty.
-    std::vector<RayResult> run(std::span<const RayQuery> rays, std::span<const std::uint32_t> knownSlots);
+    // One result per ray, in their order. A kernel that is told the hits has a binding kBindKnownRecords for
+    // `knownRecords`, one per ray; for others they are empty.
+    std::vector<RayResult> run(std::span<const RayQuery> rays, std::span<const std::uint32_t> knownRecords);
 
     // What the last run() took on the device, without transfers and without its first submission of one
     // workgroup, which may compile.
@@ -26,7 +26,7 @@ class RayBatches {
 
   private:
     std::vector<RayResult> runBatch(std::span<const RayQuery> rays,
-                                    std::span<const std::uint32_t> knownSlots);
+                                    std::span<const std::uint32_t> knownRecords);
 
     const vulkan::Device& device;
     vulkan::ComputePipeline pipeline;

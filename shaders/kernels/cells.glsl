@@ -29,7 +29,7 @@ void main() {
     TriangleRecord triangle = noTriangle();
     CellFacts facts = noCellFacts();
     if (trace.hit.triangleId != kNoTriangle) {
-        triangle = loadTriangle(trace.slot);
+        triangle = loadTriangle(trace.recordIndex);
         facts = loadCellFacts(cellPlace(ray, trace.hit.t, lattice.resolution));
     }
     setPixel(pixel, cellsPixel(push, camera, pixel, lattice, inspected(view, ray, trace), triangle, facts));

@@ -4,7 +4,7 @@
 
 layout(local_size_x = 64) in;
 
-WORDS1(knownSlots, kBindKnownSlots);
+WORDS1(knownRecords, kBindKnownRecords);
 
 void main() {
     const uint i = push.first + gl_GlobalInvocationID.x;
@@ -13,10 +13,10 @@ void main() {
     }
     const RayQuery query = loadRay(i);
     const Ray ray = makeRay(lattice, query.origin, query.tMin, query.dir, query.tMax);
-    const uint slot = LOAD1(knownSlots, i);
+    const uint recordIndex = LOAD1(knownRecords, i);
     Trace trace = startTrace(ray);
-    if (slot != kNoSlot) {
-        testTriangle(ray, slot, trace);
+    if (recordIndex != kNoRecord) {
+        testTriangle(ray, recordIndex, trace);
     }
     results[i] = rayResult(ray, trace.hit, trace.steps, trace.tests);
 }

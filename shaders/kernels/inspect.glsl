@@ -15,7 +15,7 @@ void main() {
 
     TriangleRecord triangle = noTriangle();
     if (trace.hit.triangleId != kNoTriangle) {
-        triangle = loadTriangle(trace.slot);
+        triangle = loadTriangle(trace.recordIndex);
     }
     setPixel(pixel, inspectedPixel(push, camera, inspected(view, ray, trace), triangle));
 }

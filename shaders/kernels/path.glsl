@@ -19,7 +19,7 @@ layout(push_constant) uniform PushBlock { PathPush push; };
 
 // The closest triangle that is there for this path, or any. The CPU's loop leaves in its middle; this one
 // does all under a condition and ends at its end, as llvmpipe wants it.
-Trace traceSolid(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
+Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
     Trace trace = startTrace(given);
     if (!hasFeature(kFeatureAlpha)) {
         traverse(given, anyHit, trace);
@@ -37,7 +37,7 @@ Trace traceSolid(const Ray given, const bool anyHit, const PixelSample at, const
             trace = next;
             isFound = !next.finished || next.hit.triangleId == kNoTriangle;
             if (!isFound) {
-                isFound = isThere(ray, loadTriangle(next.slot), at, dimension);
+                isFound = isThere(ray, loadTriangle(next.recordIndex), at, dimension);
                 ray.tMin = next.hit.t;
             }
         }
@@ -65,7 +65,8 @@ void main() {
         if (isOn) {
             const Path path = taken.path;
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
-            const Trace trace = traceSolid(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha));
+            const Trace trace =
+                traceAlphaTested(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha));
             bool isWhole = trace.finished;
             taken.steps += float(trace.steps);
             taken.tests += float(trace.tests);
@@ -73,15 +74,15 @@ void main() {
             if (trace.hit.triangleId == kNoTriangle) {
                 taken.path = leaveScene(settings, path);
             } else {
-                const TriangleRecord triangle = loadTriangle(trace.slot);
+                const TriangleRecord triangle = loadTriangle(trace.recordIndex);
                 const float t = ray.shift + trace.hit.t;
                 const PathStep step = meetSurface(settings, path, ray, t, triangle, taken.at);
                 taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
                 if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
                     const ShadowRay shadow = step.shadow;
                     const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);
-                    const Trace blocker =
-                        traceSolid(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha));
+                    const Trace blocker = traceAlphaTested(toLight, true, taken.at,
+                                                           bounceDimension(path.bounce, kBounceLightAlpha));
                     isWhole = isWhole && blocker.finished;
                     taken.steps += float(blocker.steps);
                     taken.tests += float(blocker.tests);

@@ -18,7 +18,7 @@ void main() {
 
     FilmPixel result = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
-        const TriangleRecord triangle = loadTriangle(trace.slot);
+        const TriangleRecord triangle = loadTriangle(trace.recordIndex);
         result = shadePrimary(camera, view, ray, trace.hit, triangle,
                               materials[materialOfTriangle[trace.hit.triangleId]]);
     }

@@ -14,7 +14,7 @@ KdNode loadKdNode(const uint nodeId) {
 // The leaf of `node`; where a loop was ended on the way down and `node` is none, the trace will not count as
 // finished.
 Leaf enterLeaf(const KdNode node, inout Trace trace) {
-    trace.due += isLeaf(node) ? 0u : 1u;
+    trace.expectedTests += isLeaf(node) ? 0u : 1u;
     return loadLeaf(leafOf(node));
 }
 #endif

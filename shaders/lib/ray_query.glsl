@@ -1,4 +1,4 @@
-// The driver's hierarchy: a box per triangle record, the primitive index being the record's slot.
+// The driver's hierarchy: a box per triangle record, the primitive index being the record's index.
 #ifndef METAMARCH_LIB_RAY_QUERY_GLSL
 #define METAMARCH_LIB_RAY_QUERY_GLSL
 #include "lib/scene.glsl"

@@ -14,10 +14,10 @@ layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Shadin
 // What a traversal found and what it took.
 struct Trace {
     Hit hit;
-    uint slot;  // the hit triangle's record
-    uint steps; // look-ups of the march, cells, or inner nodes and leaves visited
-    uint tests; // triangle tests
-    uint due;   // tests that the leaves visited ask for
+    uint recordIndex;   // the hit triangle's record
+    uint steps;         // look-ups of the march, cells, or inner nodes and leaves visited
+    uint tests;         // triangle tests
+    uint expectedTests; // tests that the leaves visited ask for
     bool finished;
 };
 
@@ -25,39 +25,39 @@ Trace startTrace(const Ray ray) { return Trace(Hit(ray.tMax, kNoTriangle), 0u, 0
 
 // Every traversal ends with this. One that does not come here, or comes with tests left out, was ended by the
 // driver: Mesa's llvmpipe (22.3.6) leaves all loops after 65,535 turns together, without a word.
-void finish(inout Trace trace) { trace.finished = trace.tests == trace.due; }
+void finish(inout Trace trace) { trace.finished = trace.tests == trace.expectedTests; }
 
-// Keeps the triangle in `slot` where the ray meets it closer than what `trace` has.
-void keepCloser(const Ray ray, const uint slot, inout Trace trace) {
-    const TriangleRecord triangle = loadTriangle(slot);
+// Keeps the triangle of record `recordIndex` where the ray meets it closer than what `trace` has.
+void keepCloser(const Ray ray, const uint recordIndex, inout Trace trace) {
+    const TriangleRecord triangle = loadTriangle(recordIndex);
     const float t = intersectTriangle(ray, triangle.v0, triangle.v1, triangle.v2);
     if (t != kNoHit && t <= trace.hit.t) {
         const uint triangleId = triangle.triangleId;
         if (isCloser(t, triangleId, trace.hit)) {
             trace.hit = Hit(t, triangleId);
-            trace.slot = slot;
+            trace.recordIndex = recordIndex;
         }
     }
 }
 
-void testTriangle(const Ray ray, const uint slot, inout Trace trace) {
+void testTriangle(const Ray ray, const uint recordIndex, inout Trace trace) {
     ++trace.tests;
-    keepCloser(ray, slot, trace);
+    keepCloser(ray, recordIndex, trace);
 }
 
 void testTriangles(const Ray ray, const uint first, const uint count, inout Trace trace) {
-    uint slot = first;
+    uint recordIndex = first;
     const uint end = first + count;
-    if (slot < end) {
+    if (recordIndex < end) {
         // llvmpipe leaves a loop at its end only: with the question at the top it would make one turn too
         // many.
         do {
-            keepCloser(ray, slot, trace);
-            ++slot;
-        } while (slot < end);
+            keepCloser(ray, recordIndex, trace);
+            ++recordIndex;
+        } while (recordIndex < end);
     }
-    trace.tests += slot - first;
-    trace.due += count;
+    trace.tests += recordIndex - first;
+    trace.expectedTests += count;
 }
 
 bool isDone(const Trace trace, const bool anyHit) { return anyHit && trace.hit.triangleId != kNoTriangle; }

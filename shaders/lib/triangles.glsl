@@ -7,10 +7,10 @@
 #if METAMARCH_TEXEL_BUFFERS
 WORDS4(triangleWords, kBindTriangles);
 
-TriangleRecord loadTriangle(const uint slot) {
-    const uvec4 a = LOAD4(triangleWords, 3u * slot);
-    const uvec4 b = LOAD4(triangleWords, 3u * slot + 1u);
-    const uvec4 c = LOAD4(triangleWords, 3u * slot + 2u);
+TriangleRecord loadTriangle(const uint recordIndex) {
+    const uvec4 a = LOAD4(triangleWords, 3u * recordIndex);
+    const uvec4 b = LOAD4(triangleWords, 3u * recordIndex + 1u);
+    const uvec4 c = LOAD4(triangleWords, 3u * recordIndex + 2u);
     return TriangleRecord(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz),
                           c.w);
 }
@@ -44,12 +44,12 @@ layout(std430, binding = kBindTriangles + 7u) readonly buffer TriangleBuffer7 {
     TriangleRecord triangles7[];
 };
 
-TriangleRecord loadTriangle(const uint slot) {
+TriangleRecord loadTriangle(const uint recordIndex) {
     if (triangleChunks == 1u) {
-        return triangles0[slot];
+        return triangles0[recordIndex];
     }
-    const uint chunk = slot / trianglesPerChunk;
-    const uint i = slot - chunk * trianglesPerChunk;
+    const uint chunk = recordIndex / trianglesPerChunk;
+    const uint i = recordIndex - chunk * trianglesPerChunk;
     switch (chunk) {
     case 0u:
         return triangles0[i];

@@ -20,7 +20,7 @@ struct RayResult {
     uint tests;      // triangle tests
 };
 
-const uint kNoSlot = 0xffffffffu; // the record of a ray that hits nothing
+const uint kNoRecord = 0xffffffffu; // the record of a ray that hits nothing
 
 struct RaysPush {
     uint first; // of the rays to trace

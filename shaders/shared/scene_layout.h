@@ -25,9 +25,9 @@ const uint kBindKdRopes = 18u;
 const uint kBindBvhNodes = 19u;
 const uint kBindGrid = 20u; // uniform
 const uint kBindGridCells = 21u;
-const uint kBindKnownSlots = 22u;  // kernel floor: the record that each ray hits
-const uint kBindBoxes = 23u;       // ray_query: the driver's hierarchy over the records' boxes
-const uint kBindRectilinear = 24u; // uniform
+const uint kBindKnownRecords = 22u; // kernel floor: the record that each ray hits
+const uint kBindBoxes = 23u;        // ray_query: the driver's hierarchy over the records' boxes
+const uint kBindRectilinear = 24u;  // uniform
 const uint kBindPlanes = 25u;
 const uint kBindBuckets = 26u;
 

@@ -22,7 +22,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         return;
     }
 
-    trace.due = lattice.triangleCount;
+    trace.expectedTests = lattice.triangleCount;
 
     // Holds here: the triangles before `first` have been tested.
     for (uint first = 0u; first < lattice.triangleCount; first += kBlock) {
@@ -32,7 +32,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
             }
         }
         if (isDone(trace, anyHit)) {
-            trace.due = trace.tests;
+            trace.expectedTests = trace.tests;
             break;
         }
     }

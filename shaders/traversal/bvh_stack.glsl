@@ -51,7 +51,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         }
         if (!missed) {
             ++trace.steps;
-            trace.due += isBvhLeaf(child) ? 0u : 1u; // not finished, where the way down was cut short
+            trace.expectedTests +=
+                isBvhLeaf(child) ? 0u : 1u; // not finished, where the way down was cut short
             testTriangles(ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
             if (isDone(trace, anyHit)) {
                 finish(trace);

@@ -40,6 +40,6 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         }
         offered = rayQueryProceedEXT(query);
     }
-    trace.due += offered ? 1u : 0u; // not finished, where the loop was cut short
+    trace.expectedTests += offered ? 1u : 0u; // not finished, where the loop was cut short
     finish(trace);
 }

@@ -124,7 +124,7 @@ void build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
 
 } // namespace
 
-std::vector<std::uint32_t> solidTriangles(const TriangleMesh& mesh) {
+std::vector<std::uint32_t> nonDegenerateTriangles(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> ids;
     ids.reserve(mesh.triangles.size());
     for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id) {
@@ -139,16 +139,16 @@ std::vector<std::uint32_t> solidTriangles(const TriangleMesh& mesh) {
 std::vector<TriangleRecord> makeTriangleRecords(const TriangleMesh& mesh,
                                                 const std::vector<std::uint32_t>& triangleIds) {
     std::vector<TriangleRecord> records(triangleIds.size());
-    tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t slot) {
-        const std::uint32_t id = triangleIds[slot];
-        records[slot] = {corner(mesh, id, 0), id, corner(mesh, id, 1), 0, corner(mesh, id, 2), 0};
+    tbb::parallel_for(std::size_t{0}, triangleIds.size(), [&](const std::size_t recordIndex) {
+        const std::uint32_t id = triangleIds[recordIndex];
+        records[recordIndex] = {corner(mesh, id, 0), id, corner(mesh, id, 1), 0, corner(mesh, id, 2), 0};
     });
     return records;
 }
 
 AccelerationStructure buildAccelerationStructure(const TriangleMesh& mesh,
                                                  const AccelerationOptions& options) {
-    const std::vector<std::uint32_t> ids = solidTriangles(mesh);
+    const std::vector<std::uint32_t> ids = nonDegenerateTriangles(mesh);
     const unsigned depth =
         options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(ids.size())));
     if (depth > kMaxTreeDepth) {

@@ -42,6 +42,6 @@ std::vector<TriangleRecord> makeTriangleRecords(const TriangleMesh& mesh,
 
 // Returns the ids, ascending, of the triangles that a ray can hit: those whose normal is not zero in single
 // precision.
-std::vector<std::uint32_t> solidTriangles(const TriangleMesh& mesh);
+std::vector<std::uint32_t> nonDegenerateTriangles(const TriangleMesh& mesh);
 
 } // namespace metamarch

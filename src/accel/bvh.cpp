@@ -26,7 +26,7 @@ constexpr std::size_t kSerial = 4096;
 struct Primitive {
     Box box; // lattice space, grown by the margin
     glm::dvec3 center;
-    std::uint32_t slot; // index into the given triangles
+    std::uint32_t recordIndex; // index into the given triangles
 };
 
 struct BuildNode {
@@ -217,7 +217,7 @@ Bvh buildBvh(const Lattice& lattice, const std::span<const TriangleRecord> trian
     }
     bvh.triangles.reserve(triangles.size());
     for (const Primitive& primitive : builder.primitives) {
-        bvh.triangles.push_back(triangles[primitive.slot]);
+        bvh.triangles.push_back(triangles[primitive.recordIndex]);
     }
     return bvh;
 }

@@ -153,21 +153,21 @@ RectilinearTable buildRectilinearTable(const Lattice& lattice,
     number(plan, 0, levels, result.planes, numbered);
 
     // References name the place in `triangles`, not the triangle's id.
-    std::vector<std::uint32_t> slots(triangles.size());
-    std::iota(slots.begin(), slots.end(), 0u);
+    std::vector<std::uint32_t> recordIndices(triangles.size());
+    std::iota(recordIndices.begin(), recordIndices.end(), 0u);
     const auto cellsOf = [&, margin = referenceMargin(lattice)](const LatticeTriangle& triangle,
                                                                 const CellRange& box) {
         return result.planes.touchedCells(triangle, box, margin);
     };
     const uvec3 resolution = result.planes.layout().resolution;
-    const KdTree tree = buildPlannedKdTree(resolution, cellsOf, corners, slots, numbered);
+    const KdTree tree = buildPlannedKdTree(resolution, cellsOf, corners, recordIndices, numbered);
     result.depth = tree.depth;
     result.table = buildMetaTable(resolution, tree.leaves);
     if (exitBoxes) {
         growExitBoxes(tree, result.table);
     }
-    for (const std::uint32_t slot : tree.leafTriangles) {
-        result.table.triangles.push_back(triangles[slot]);
+    for (const std::uint32_t recordIndex : tree.leafTriangles) {
+        result.table.triangles.push_back(triangles[recordIndex]);
     }
     result.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

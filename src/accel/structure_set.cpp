@@ -4,7 +4,7 @@
 
 namespace metamarch {
 
-// Every solid triangle lies in some leaf.
+// Every non-degenerate triangle lies in some leaf.
 StructureSet::Triangles StructureSet::uniqueTriangles(Triangles records) {
     std::ranges::sort(records, {}, &TriangleRecord::triangleId);
     const auto repeated = std::ranges::unique(records, {}, &TriangleRecord::triangleId);

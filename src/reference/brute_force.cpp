@@ -10,8 +10,8 @@ namespace metamarch {
         return trace;
     }
     const auto count = static_cast<std::uint32_t>(triangles.size());
-    for (std::uint32_t slot = 0; slot < count && !isDone(trace, query); ++slot) {
-        testTriangle(triangles, ray, slot, trace);
+    for (std::uint32_t recordIndex = 0; recordIndex < count && !isDone(trace, query); ++recordIndex) {
+        testTriangle(triangles, ray, recordIndex, trace);
     }
     return trace;
 }

@@ -15,8 +15,8 @@ struct Render {
 
 // The closest triangle that is there for this path, or any. kernels/path.glsl has a loop that llvmpipe can
 // run.
-TraceResult traceSolid(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
-                       const uint dimension) {
+TraceResult traceAlphaTested(const Render& render, const Ray& given, const HitQuery query,
+                             const PixelSample at, const uint dimension) {
     if (!hasFeature(render.scene, kFeatureAlpha)) {
         return traceKdStack(render.structure, given, query);
     }
@@ -28,7 +28,7 @@ TraceResult traceSolid(const Render& render, const Ray& given, const HitQuery qu
         next.tests += result.tests;
         result = next;
         if (result.hit.triangleId == kNoTriangle ||
-            isThere(render.scene, ray, render.structure.triangles[result.slot], at, dimension)) {
+            isThere(render.scene, ray, render.structure.triangles[result.recordIndex], at, dimension)) {
             return result;
         }
         ray.tMin = result.hit.t;
@@ -47,23 +47,23 @@ void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum
     while (taken.path.isAlive) {
         const Path path = taken.path;
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
-        const TraceResult trace =
-            traceSolid(render, ray, HitQuery::closest, taken.at, bounceDimension(path.bounce, kBounceAlpha));
+        const TraceResult trace = traceAlphaTested(render, ray, HitQuery::closest, taken.at,
+                                                   bounceDimension(path.bounce, kBounceAlpha));
         count(taken, trace);
         ++taken.rays;
         if (trace.hit.triangleId == kNoTriangle) {
             taken.path = leaveScene(render.scene, render.settings, path);
             break;
         }
-        const TriangleRecord& triangle = render.structure.triangles[trace.slot];
+        const TriangleRecord& triangle = render.structure.triangles[trace.recordIndex];
         const float t = ray.shift + trace.hit.t;
         const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, taken.at);
         taken = afterStep(render.camera, taken, step, t, trace.hit.triangleId);
         if (step.shadow.isNeeded) {
             const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
                                         step.shadow.tMax);
-            const TraceResult blocker = traceSolid(render, toLight, HitQuery::any, taken.at,
-                                                   bounceDimension(path.bounce, kBounceLightAlpha));
+            const TraceResult blocker = traceAlphaTested(render, toLight, HitQuery::any, taken.at,
+                                                         bounceDimension(path.bounce, kBounceLightAlpha));
             count(taken, blocker);
             ++taken.shadowRays;
             if (blocker.hit.triangleId == kNoTriangle) {

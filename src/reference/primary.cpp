@@ -14,7 +14,7 @@ FilmPixel renderPixel(const AccelerationStructure& structure,
     const TraceResult trace = traceKdStack(structure, ray, HitQuery::closest);
     FilmPixel pixel = missPrimary();
     if (trace.hit.triangleId != kNoTriangle) {
-        pixel = shadePrimary(camera, view, ray, trace.hit, structure.triangles[trace.slot],
+        pixel = shadePrimary(camera, view, ray, trace.hit, structure.triangles[trace.recordIndex],
                              materials[materialOfTriangle[trace.hit.triangleId]]);
     }
     pixel.rays = 1;

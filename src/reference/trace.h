@@ -18,13 +18,13 @@ enum class HitQuery { closest, any };
 
 struct TraceResult {
     Hit hit;
-    std::uint32_t slot = 0;  // record of the hit triangle, where the judge reads records in leaf order
-    std::uint32_t steps = 0; // look-ups of the march, or nodes visited
-    std::uint32_t tests = 0; // triangle tests
+    std::uint32_t recordIndex = 0; // record of the hit triangle, where the judge reads records in leaf order
+    std::uint32_t steps = 0;       // look-ups of the march, or nodes visited
+    std::uint32_t tests = 0;       // triangle tests
 };
 
-// Tests every one of `triangles` (makeTriangleRecords of every solid triangle). Judges the other judges:
-// it knows neither tree nor table.
+// Tests every one of `triangles` (makeTriangleRecords of every non-degenerate triangle). Judges the other
+// judges: it knows neither tree nor table.
 TraceResult traceBruteForce(std::span<const TriangleRecord> triangles, const Ray& ray, HitQuery query);
 
 // The classic walk of the kd-tree with a stack: the paper's figures 3 and 4, with the closest hit made safe

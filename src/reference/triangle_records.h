@@ -4,15 +4,15 @@
 
 namespace metamarch {
 
-// Tests the triangle in `slot` and keeps it where it is closer than what `trace` has.
+// Tests the triangle of record `recordIndex` and keeps it where it is closer than what `trace` has.
 inline void testTriangle(const std::span<const TriangleRecord> triangles, const Ray& ray,
-                         const std::uint32_t slot, TraceResult& trace) {
+                         const std::uint32_t recordIndex, TraceResult& trace) {
     ++trace.tests;
-    const TriangleRecord& triangle = triangles[slot];
+    const TriangleRecord& triangle = triangles[recordIndex];
     const float t = intersectTriangle(ray, triangle.v0, triangle.v1, triangle.v2);
     if (t != kNoHit && isCloser(t, triangle.triangleId, trace.hit)) {
         trace.hit = {t, triangle.triangleId};
-        trace.slot = slot;
+        trace.recordIndex = recordIndex;
     }
 }
 

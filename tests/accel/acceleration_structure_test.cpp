@@ -56,18 +56,18 @@ TEST(AccelerationStructure, ofDegenerateTrianglesOnly) {
 
 TEST(AccelerationStructure, leavesDegenerateTrianglesOut) {
     Scene scene = unitCube();
-    const auto solid = static_cast<std::uint32_t>(scene.triangles.size());
+    const auto nonDegenerate = static_cast<std::uint32_t>(scene.triangles.size());
     addTriangle(scene, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f});
     addTriangle(scene, {0, 0, 0}, {0.5f, 0.5f, 0.5f}, {1, 1, 1});
     addTriangle(scene, {0, 0, 0.5f}, {1, 0, 0.5f}, {0, 1, 0.5f});
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});
     EXPECT_EQ(structure.degenerateTriangles, 2u);
-    EXPECT_EQ(structure.lattice.triangleCount, solid + 1);
+    EXPECT_EQ(structure.lattice.triangleCount, nonDegenerate + 1);
     const std::vector<std::uint32_t>& listed = structure.tree.leafTriangles;
-    for (const std::uint32_t degenerate : {solid, solid + 1}) {
+    for (const std::uint32_t degenerate : {nonDegenerate, nonDegenerate + 1}) {
         EXPECT_EQ(std::count(listed.begin(), listed.end(), degenerate), 0);
     }
-    EXPECT_GT(std::count(listed.begin(), listed.end(), solid + 2), 0);
+    EXPECT_GT(std::count(listed.begin(), listed.end(), nonDegenerate + 2), 0);
 }
 
 TEST(AccelerationStructure, refusesADepthOverTheLimit) {

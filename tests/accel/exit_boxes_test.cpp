@@ -80,7 +80,7 @@ TEST_P(ExitBoxes, holdTheirLeaves) {
 // Checked by the overlap test, which knows neither clipping nor leaves.
 TEST_P(ExitBoxes, meetNoTriangleThatTheirLeavesLack) {
     const glm::dvec3 margin = referenceMargin(structure.lattice) * (1.0 - kMarginRounding);
-    for (const std::uint32_t id : solidTriangles(scene)) {
+    for (const std::uint32_t id : nonDegenerateTriangles(scene)) {
         LatticeTriangle triangle;
         for (int corner = 0; corner < 3; ++corner) {
             triangle[static_cast<std::size_t>(corner)] =

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<LatticeTriangle> cornersIn(const Lattice& lattice, const Scene& scene) {
     std::vector<LatticeTriangle> corners;
-    for (const TriangleRecord& triangle : makeTriangleRecords(scene, solidTriangles(scene))) {
+    for (const TriangleRecord& triangle : makeTriangleRecords(scene, nonDegenerateTriangles(scene))) {
         corners.push_back({toLattice(lattice, triangle.v0), toLattice(lattice, triangle.v1),
                            toLattice(lattice, triangle.v2)});
     }

@@ -133,7 +133,7 @@ TEST_P(Tree, liesInDepthFirstOrder) {
 }
 
 TEST_P(Tree, keepsTheDepthLimit) {
-    const std::size_t triangles = solidTriangles(scene).size();
+    const std::size_t triangles = nonDegenerateTriangles(scene).size();
     const unsigned limit =
         GetParam().options.treeDepth.value_or(defaultTreeDepth(static_cast<std::uint32_t>(triangles)));
     EXPECT_LE(limit, kMaxTreeDepth);
@@ -184,7 +184,7 @@ TEST_P(Tree, listsAscendingTrianglesOneLeafAfterTheOther) { expectAscendingTrian
 // margin.
 TEST_P(Tree, listsTheTrianglesThatMeetTheGrownLeaf) {
     const glm::dvec3 margin = referenceMargin(structure.lattice);
-    for (const std::uint32_t id : solidTriangles(scene)) {
+    for (const std::uint32_t id : nonDegenerateTriangles(scene)) {
         LatticeTriangle triangle;
         for (int corner = 0; corner < 3; ++corner) {
             triangle[static_cast<std::size_t>(corner)] =
@@ -213,10 +213,10 @@ TEST_P(Tree, listsTheTrianglesThatMeetTheGrownLeaf) {
 
 TEST_P(Tree, hasRecordsOfTheTrianglesInLeafOrder) {
     ASSERT_EQ(structure.triangles.size(), tree.leafTriangles.size());
-    for (std::size_t slot = 0; slot < tree.leafTriangles.size(); ++slot) {
-        const TriangleRecord& record = structure.triangles[slot];
-        const glm::uvec3 indices = scene.triangles[tree.leafTriangles[slot]];
-        ASSERT_EQ(record.triangleId, tree.leafTriangles[slot]);
+    for (std::size_t recordIndex = 0; recordIndex < tree.leafTriangles.size(); ++recordIndex) {
+        const TriangleRecord& record = structure.triangles[recordIndex];
+        const glm::uvec3 indices = scene.triangles[tree.leafTriangles[recordIndex]];
+        ASSERT_EQ(record.triangleId, tree.leafTriangles[recordIndex]);
         ASSERT_EQ(record.v0, scene.positions[indices.x]);
         ASSERT_EQ(record.v1, scene.positions[indices.y]);
         ASSERT_EQ(record.v2, scene.positions[indices.z]);

@@ -97,7 +97,7 @@ struct Placed {
     }
 
     Scene scene;
-    std::vector<std::uint32_t> ids = solidTriangles(scene);
+    std::vector<std::uint32_t> ids = nonDegenerateTriangles(scene);
     Lattice lattice{};
     std::vector<LatticeTriangle> corners;
 };
@@ -202,7 +202,7 @@ TEST(Marching, aPinwheelHasTheKnownHitsAndSteps) {
 
 // Every ray must find the same hit as brute force, to the bit.
 void expectTheHitsOfBruteForce(const Scene& scene, const AccelerationStructure& structure) {
-    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
+    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, nonDegenerateTriangles(scene));
     std::size_t hits = 0;
     for (const RayQuery& query : trickyRays(scene, structure, 20000, 5)) {
         const Ray ray = makeRay(structure.lattice, query.origin, query.tMin, query.dir, query.tMax);
@@ -275,7 +275,7 @@ TEST(Merging, leavesAPartitionThatListsItsTriangles) {
     const Partition partition{structure.lattice.resolution, boxesOf(merged)};
     EXPECT_NO_THROW(checkTiling(partition));
     std::vector<LatticeTriangle> corners;
-    const std::vector<std::uint32_t> ids = solidTriangles(scene);
+    const std::vector<std::uint32_t> ids = nonDegenerateTriangles(scene);
     for (const TriangleRecord& triangle : makeTriangleRecords(scene, ids)) {
         corners.push_back({toLattice(structure.lattice, triangle.v0),
                            toLattice(structure.lattice, triangle.v1),

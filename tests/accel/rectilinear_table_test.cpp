@@ -25,7 +25,7 @@ struct Made {
 };
 
 Made make(const Scene& scene, const RectilinearDepth depth, const bool exitBoxes = false) {
-    std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
+    std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, nonDegenerateTriangles(scene));
     const Lattice lattice =
         makeLattice(boundsOf(scene), static_cast<std::uint32_t>(triangles.size()), {}).lattice;
     std::vector<LatticeTriangle> corners;

@@ -108,7 +108,7 @@ TEST_P(Judges, agreeOnTrickyRays) {
     if (!scene.triangles.empty()) {
         rays = trickyRays(scene, structure, 50000, 7);
     }
-    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
+    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, nonDegenerateTriangles(scene));
     for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
         const auto brute = traceAll(structure.lattice, rays,
                                     [&](const Ray& ray) { return traceBruteForce(triangles, ray, query); });

@@ -61,8 +61,8 @@ class Structures : public testing::TestWithParam<NamedScene> {
     }
 };
 
-TEST_P(Structures, holdTheSolidTriangles) {
-    const std::vector<std::uint32_t> solid = solidTriangles(scene);
+TEST_P(Structures, holdTheNonDegenerateTriangles) {
+    const std::vector<std::uint32_t> nonDegenerate = nonDegenerateTriangles(scene);
     const auto ids = [](const std::vector<TriangleRecord>& records) {
         std::vector<std::uint32_t> found;
         for (const TriangleRecord& record : records) {
@@ -70,10 +70,10 @@ TEST_P(Structures, holdTheSolidTriangles) {
         }
         return found;
     };
-    EXPECT_EQ(ids(structures.triangles()), solid);
+    EXPECT_EQ(ids(structures.triangles()), nonDegenerate);
     std::vector<std::uint32_t> inBvh = ids(structures.bvh().triangles);
     std::ranges::sort(inBvh);
-    EXPECT_EQ(inBvh, solid);
+    EXPECT_EQ(inBvh, nonDegenerate);
 }
 
 // What the driver's hierarchy is fed: every triangle once, where it first comes in the leaves.
@@ -90,7 +90,7 @@ TEST_P(Structures, spatialTrianglesAreInTheOrderOfTheLeaves) {
         found.push_back(record.triangleId);
     }
     EXPECT_EQ(found, expected);
-    EXPECT_EQ(found.size(), solidTriangles(scene).size());
+    EXPECT_EQ(found.size(), nonDegenerateTriangles(scene).size());
 }
 
 // Every child's box holds its triangles with the margin, and the tree is no deeper than the stack.

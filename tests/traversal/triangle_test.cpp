@@ -66,12 +66,12 @@ double distanceToTriangle(const glm::dvec3 p, const std::array<glm::vec3, 3>& tr
     return inside ? std::min(nearest, std::abs(glm::dot(p - v[0], normal)) / glm::length(normal)) : nearest;
 }
 
-// Calls `check(ray, corners, t)` for every pair of a tricky ray and a solid triangle, t being kNoHit or the
-// hit.
+// Calls `check(ray, corners, t)` for every pair of a tricky ray and a non-degenerate triangle, t being kNoHit
+// or the hit.
 template <class Check>
 void forEachPair(const Scene& scene, const std::uint32_t rayCount, const Check& check) {
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});
-    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, solidTriangles(scene));
+    const std::vector<TriangleRecord> triangles = makeTriangleRecords(scene, nonDegenerateTriangles(scene));
     for (const RayQuery& query : trickyRays(scene, structure, rayCount, 23)) {
         const Ray ray = makeRay(structure.lattice, query.origin, query.tMin, query.dir, query.tMax);
         if (ray.tMax < ray.tMin) {

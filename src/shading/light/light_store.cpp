@@ -72,8 +72,8 @@ void addEmitters(const Scene& scene, const std::span<const glm::vec3> meanEmissi
         const Emitter emitter{scene.positions[corners.x], triangleId, scene.positions[corners.y], materialId,
                               scene.positions[corners.z], 0};
         const vec3 normal = scaledNormal(emitter.v0, emitter.v1, emitter.v2);
-        const bool isSolid = largest(abs(normal)) >= kSmallestNormal;
-        if (strength > 0.0 && isSolid) {
+        const bool isDegenerate = largest(abs(normal)) < kSmallestNormal;
+        if (strength > 0.0 && !isDegenerate) {
             const double sides =
                 (target.materials[materialId].flags & kMaterialDoubleSided) != 0u ? 2.0 : 1.0;
             target.emitters.push_back(emitter);
