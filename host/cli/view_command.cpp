@@ -30,7 +30,7 @@ struct ViewerArguments {
     ToneMapping tone{kToneNeutral};
     std::string device;
     std::string traversal;
-    std::string rival;
+    std::string secondTraversal;
     std::string shown; // a name of render::kViewNames; empty: the picture
     PathChoice path;
     std::uint32_t samplesPerPixel = 1024;
@@ -94,7 +94,7 @@ void runView(const ViewerArguments& arguments) {
     settings.traversal = arguments.traversal.empty()
                              ? std::string(marchThrough(options.scene.structure.table))
                              : arguments.traversal;
-    settings.rival = arguments.rival;
+    settings.secondTraversal = arguments.secondTraversal;
     requireTable(options.scene.structure.table, settings.traversal);
     if (!arguments.shown.empty()) {
         settings.view = std::ranges::find(render::kViewNames, arguments.shown, &render::ViewName::name)->view;
@@ -132,7 +132,7 @@ Command makeViewCommand() {
     settings.beginGroup("Device");
     declareDevice(settings, arguments->device);
     declareTraversal(settings, "traversal", arguments->traversal, "How rays find triangles");
-    declareTraversal(settings, "split", arguments->rival,
+    declareTraversal(settings, "split", arguments->secondTraversal,
                      "Another traversal on the right half of the window");
     declareIntegrator(settings, arguments->path, kFilmIntegrators);
     std::vector<std::string> views;

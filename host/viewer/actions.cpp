@@ -93,7 +93,7 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         turnView(settings, -1);
         return true;
     case Action::toggleSplit:
-        settings.rival = state.hasSplit() ? "" : nextTraversal(device, settings.traversal);
+        settings.secondTraversal = state.hasSplit() ? "" : nextTraversal(device, settings.traversal);
         return true;
     case Action::togglePanels:
         settings.hasPanels = !settings.hasPanels;

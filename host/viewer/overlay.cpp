@@ -126,7 +126,7 @@ void drawLegend(const ViewerState& state) {
                  kInk, name.c_str());
 }
 
-std::string sideText(const std::string& traversal, const double seconds) {
+std::string viewportText(const std::string& traversal, const double seconds) {
     return seconds > 0.0 ? fmt::format("{}: {:.1f} ms", traversal, seconds * 1e3) : traversal + ": ...";
 }
 
@@ -134,10 +134,11 @@ void drawSplit(const ViewerState& state) {
     const glm::vec2 size(state.size);
     const float line = state.settings.splitAt * size.x;
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, size.y}, kInk, 2.0f);
-    const std::string left = sideText(state.settings.traversal, state.statistics.sideSeconds[0]);
+    const std::string left = viewportText(state.settings.traversal, state.statistics.viewportSeconds[0]);
     const float y = size.y - 2.0f * ImGui::GetFontSize();
     drawLabel({line - ImGui::CalcTextSize(left.c_str()).x - 12.0f, y}, left);
-    drawLabel({line + 12.0f, y}, sideText(state.settings.rival, state.statistics.sideSeconds[1]));
+    drawLabel({line + 12.0f, y},
+              viewportText(state.settings.secondTraversal, state.statistics.viewportSeconds[1]));
 }
 
 } // namespace

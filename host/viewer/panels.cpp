@@ -66,7 +66,8 @@ void drawTraversals(ViewerState& state) {
         state.actions.push_back(Action::toggleSplit);
     }
     if (state.hasSplit()) {
-        settings.rival = chooseName("right side", settings.rival, state.runnable, kItself);
+        settings.secondTraversal =
+            chooseName("right side", settings.secondTraversal, state.runnable, kItself);
     }
 }
 
@@ -185,8 +186,8 @@ void drawStatistics(const ViewerState& state) {
         line(fmt::format("{:.2f} Mrays/s, {:.2f} Msamples/s", now.raysPerSecond * 1e-6,
                          now.samplesPerSecond * 1e-6));
         line(fmt::format("{:.2f} steps and {:.2f} tests a ray", now.stepsPerRay, now.testsPerRay));
-    } else if (now.sideSeconds[0] > 0.0) {
-        line(fmt::format("{:.2f} ms for the picture", now.sideSeconds[0] * 1e3));
+    } else if (now.viewportSeconds[0] > 0.0) {
+        line(fmt::format("{:.2f} ms for the picture", now.viewportSeconds[0] * 1e3));
     }
     line(fmt::format("{} triangles, {} on the device", scene.shown.scene->triangles.size(),
                      vulkan::byteText(now.deviceBytes)));

@@ -43,31 +43,32 @@ Image imageOf(const std::vector<std::uint32_t>& packed, const glm::uvec2 size) {
 PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedDevice)
     : software(std::move(usedSoftware)), device(usedDevice) {}
 
-std::string PictureSaver::save(const Plate& plate, const Shot& shot, const std::string& traversal,
-                               const ViewerState& state, const std::string& ending) const {
-    if (!plate.isWhole()) {
+std::string PictureSaver::save(const ProgressiveImage& progressive, const RenderRequest& request,
+                               const std::string& traversal, const ViewerState& state,
+                               const std::string& ending) const {
+    if (!progressive.isWhole()) {
         throw Error(ErrorKind::invalidArgument, "parts of the picture are still empty: save it in a moment");
     }
     const std::filesystem::path& file = state.scene->request.file;
     const std::string name = freeName(file.stem().string(), ending);
-    if (shot.view) {
+    if (request.view) {
         if (ending != ".png") {
             throw Error(ErrorKind::invalidArgument,
                         "a view has no film to save: choose the picture, or a screenshot");
         }
-        writeImage(imageOf(plate.viewPixels(), plate.size()), name);
+        writeImage(imageOf(progressive.viewPixels(), progressive.size()), name);
         return "saved " + name;
     }
     render::RenderResult result;
     result.settings.path = state.settings.path;
-    result.settings.samplesPerPixel = plate.wholeSamples(); // some tiles may have more
-    result.size = plate.size();
-    result.film = plate.film();
+    result.settings.samplesPerPixel = progressive.wholeSamples(); // some tiles may have more
+    result.size = progressive.size();
+    result.film = progressive.film();
     result.device = device.name();
     result.driver = device.report().driverInfo;
     result.traversal = traversal;
-    result.seconds.render = plate.seconds();
-    render::writePicture(result, {software, file.string(), shot.camera}, name, state.settings.tone);
+    result.seconds.render = progressive.seconds();
+    render::writePicture(result, {software, file.string(), request.camera}, name, state.settings.tone);
     return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
 }
 

@@ -12,7 +12,7 @@
 #include "metamarch/viewer/picture_saver.h"
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/shader_reload.h"
-#include "metamarch/viewer/sides.h"
+#include "metamarch/viewer/split_view.h"
 #include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ class Viewer {
         : options(usedOptions), window(system, options.size, "metamarch"),
           context(system.instanceExtensions()), device(context, options.device, vulkan::DeviceUse::window),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          sides(device) {
+          splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -99,9 +99,9 @@ class Viewer {
                 quietFrames = 0;
             }
             presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
-                sides.paint(commands, screen, state.settings.splitAt);
+                splitView.paint(commands, screen, state.settings.splitAt);
             });
-            sides.measure(state.statistics);
+            splitView.measure(state.statistics);
             window.setTitle(titleText());
         }
     }
@@ -273,12 +273,13 @@ class Viewer {
     }
 
     void save(const char* const ending) {
-        if (sides.isEmpty() || !state.busy.empty()) {
+        if (splitView.isEmpty() || !state.busy.empty()) {
             state.say("the picture is on its way: save it when it is there");
             return;
         }
         try {
-            state.say(saver.save(sides.plate(), sides.shown(), sides.leftTraversal(), state, ending));
+            state.say(saver.save(splitView.progressive(), splitView.shown(), splitView.leftTraversal(), state,
+                                 ending));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -298,24 +299,24 @@ class Viewer {
         const bool isOtherPicture = cameraBefore != state.camera || before.path != now.path ||
                                     before.view != now.view || before.heatMax != now.heatMax ||
                                     before.samples != now.samples || before.traversal != now.traversal ||
-                                    before.rival != now.rival;
+                                    before.secondTraversal != now.secondTraversal;
         isStale = isStale || isOtherPicture;
         isHalted = isHalted && !isStale && haltedSize == state.size;
         if (!deviceScene || isHalted) {
             return;
         }
-        const bool areOthers = !sides.areOf(state.traversals(), state.size);
+        const bool areOthers = !splitView.areOf(state.traversals(), state.size);
         attempt([&] {
             if (areOthers) {
                 presenter.wait();
                 if (shaders.lacks(state.traversals())) {
                     compileShaders();
                 }
-                sides.make(*deviceScene, state.traversals(), state.size, shaders.overrides());
+                splitView.make(*deviceScene, state.traversals(), state.size, shaders.overrides());
             }
-            sides.setTone(now.tone);
+            splitView.setTone(now.tone);
             if (std::exchange(isStale, false) || areOthers) {
-                sides.start(makeShot());
+                splitView.start(makeRenderRequest());
             }
         });
     }
@@ -323,8 +324,8 @@ class Viewer {
     // Whether the device has done something.
     bool trace() {
         bool hasWorked = false;
-        if (!sides.isEmpty()) {
-            attempt([&] { hasWorked = sides.advance(); });
+        if (!splitView.isEmpty()) {
+            attempt([&] { hasWorked = splitView.advance(); });
         }
         return hasWorked;
     }
@@ -356,18 +357,19 @@ class Viewer {
 
     void dropPictures() {
         presenter.wait();
-        sides.clear();
+        splitView.clear();
     }
 
-    Shot makeShot() const {
-        Shot shot;
-        shot.camera = sceneCameraOf(state.camera, *state.scene->whole);
-        shot.lens = lensOf(state.camera);
-        shot.settings = state.settings.path.applied(state.scene->shown.shading->settings);
-        shot.view = state.settings.view;
-        shot.endSample = state.settings.samples;
-        shot.scaleMax = shot.view && !isHeatMap(*shot.view) ? farthestCorner() : state.settings.heatMax;
-        return shot;
+    RenderRequest makeRenderRequest() const {
+        RenderRequest request;
+        request.camera = sceneCameraOf(state.camera, *state.scene->whole);
+        request.lens = lensOf(state.camera);
+        request.settings = state.settings.path.applied(state.scene->shown.shading->settings);
+        request.view = state.settings.view;
+        request.endSample = state.settings.samples;
+        request.scaleMax =
+            request.view && !isHeatMap(*request.view) ? farthestCorner() : state.settings.heatMax;
+        return request;
     }
 
     // Of the scene's box from the eye.
@@ -386,7 +388,7 @@ class Viewer {
                 : fmt::format("{}, {} of {} samples", nameOf(settings.path.integrator),
                               static_cast<std::uint32_t>(state.statistics.samples), settings.samples);
         const std::string how =
-            state.hasSplit() ? settings.traversal + " | " + settings.rival : settings.traversal;
+            state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;
         return fmt::format("{} - {} - {}{} - metamarch", state.file.filename().string(), seen, how,
                            state.busy.empty() ? "" : " - busy");
     }
@@ -405,7 +407,7 @@ class Viewer {
     ViewerState state;
 
     std::unique_ptr<render::DeviceScene> deviceScene;
-    Sides sides;           // use the device scene
+    SplitView splitView;   // use the device scene
     bool isStale = false;  // the picture is to begin anew
     bool isHalted = false; // there is none until something changes, or the window's size
     glm::uvec2 haltedSize{0};

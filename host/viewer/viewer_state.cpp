@@ -24,7 +24,7 @@ void ViewerState::say(const std::string& line) {
 std::vector<std::string> ViewerState::traversals() const {
     std::vector<std::string> names = {settings.traversal};
     if (hasSplit()) {
-        names.push_back(settings.rival);
+        names.push_back(settings.secondTraversal);
     }
     return names;
 }

@@ -30,8 +30,8 @@ struct Settings {
     std::optional<std::uint32_t> view; // kView…; none: what the path tracer draws
     float heatMax = 32.0f;             // steps or tests of the hottest colour
     std::string traversal;
-    std::string rival;    // the right side's traversal; empty: there is one side
-    float splitAt = 0.5f; // of the window's width
+    std::string secondTraversal; // the right side's traversal; empty: there is one side
+    float splitAt = 0.5f;        // of the window's width
     ToneMapping tone;
     std::uint32_t samples = 1; // where the path tracer stops
     LightChoice light;
@@ -65,10 +65,10 @@ struct Statistics {
     double samplesPerSecond = 0.0;
     double stepsPerRay = 0.0;
     double testsPerRay = 0.0;
-    double samples = 0.0;                // of a pixel, so far
-    std::array<double, 2> sideSeconds{}; // that left and right took for their pictures; 0: under way
-    std::uint64_t deviceBytes = 0;       // of the scene
-    std::string device;                  // its name and driver
+    double samples = 0.0;                    // of a pixel, so far
+    std::array<double, 2> viewportSeconds{}; // that left and right took for their pictures; 0: under way
+    std::uint64_t deviceBytes = 0;           // of the scene
+    std::string device;                      // its name and driver
 };
 
 // Declares those settings that the panels show.
@@ -105,7 +105,7 @@ struct ViewerState {
     float aspect() const { return static_cast<float>(size.x) / static_cast<float>(size.y); }
     // Of the sides, from left to right.
     std::vector<std::string> traversals() const;
-    bool hasSplit() const { return !settings.rival.empty(); }
+    bool hasSplit() const { return !settings.secondTraversal.empty(); }
     // What the device traces at the window's size. Only with a scene.
     Camera traced() const;
 };

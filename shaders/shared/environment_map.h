@@ -40,8 +40,8 @@ SHARED_FN float mapDensity(const float rowProbability, const float columnProbabi
 // Returns the point of the map that the choices of row and column and their remainders give.
 SHARED_FN vec2 mapPointIn(const TableChoice row, const TableChoice column, const uint width,
                           const uint height) {
-    return vec2((float(column.index) + column.rest) / float(width),
-                (float(row.index) + row.rest) / float(height));
+    return vec2((float(column.index) + column.uRemapped) / float(width),
+                (float(row.index) + row.uRemapped) / float(height));
 }
 
 SHARED_END

@@ -25,14 +25,14 @@ struct TableEntry {
 struct TableChoice {
     uint index;
     float probability;
-    float rest; // in [0, 1): u rescaled within the entry, as good as a new random number
+    float uRemapped; // in [0, 1): u rescaled within the entry, as good as a new random number
 };
 
 SHARED_FN uint guideSlot(const float u, const uint count) { return min(uint(u * float(count)), count - 1u); }
 
 SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, const float u) {
-    const float rest = (u - entry.from) / (entry.upTo - entry.from);
-    return TableChoice(index, entry.probability, min(max(rest, 0.0f), 0.99999994f));
+    const float uRemapped = (u - entry.from) / (entry.upTo - entry.from);
+    return TableChoice(index, entry.probability, min(max(uRemapped, 0.0f), 0.99999994f));
 }
 
 // Returns the barycentric weights of a point that is uniform in the triangle's area. E. Heitz, "A
@@ -40,9 +40,9 @@ SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, cons
 SHARED_FN vec3 sampleTriangle(const vec2 u) {
     const bool isUpper = u.y > u.x;
     const float lesser = (isUpper ? u.x : u.y) * 0.5f;
-    const float rest = (isUpper ? u.y : u.x) - lesser;
-    const float x = isUpper ? lesser : rest;
-    const float y = isUpper ? rest : lesser;
+    const float greater = (isUpper ? u.y : u.x) - lesser;
+    const float x = isUpper ? lesser : greater;
+    const float y = isUpper ? greater : lesser;
     return vec3(x, y, max(1.0f - x - y, 0.0f));
 }
 

@@ -147,7 +147,7 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
 SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings, const vec3 point,
                                             const vec2 u) {
     const TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u.x);
-    const vec2 uPoint = vec2(choice.rest, u.y);
+    const vec2 uPoint = vec2(choice.uRemapped, u.y);
     const uint firstPunctual = settings.emitterCount;
     const uint environment = settings.emitterCount + settings.punctualCount;
     SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f);

@@ -34,7 +34,7 @@ std::uint32_t addWaves(Scene& scene, const bool isDeep, const TextureWrap wrap =
 constexpr std::uint32_t kFloor = 1;
 using Change = std::function<void(PathScene& made, Material& ball)>;
 
-PathScene stage(const Change& change) {
+PathScene ballScene(const Change& change) {
     PathScene made;
     Scene& scene = made.scene;
     const std::uint32_t ball = addMaterial(scene, metal({0.9f, 0.6f, 0.3f}, 0.35f));
@@ -55,7 +55,7 @@ PathScene stage(const Change& change) {
 }
 
 PathScene ofMaterial(const std::function<void(Material& ball)>& change) {
-    return stage([&](PathScene&, Material& ball) { change(ball); });
+    return ballScene([&](PathScene&, Material& ball) { change(ball); });
 }
 
 void coat(Material& m) {
@@ -179,7 +179,7 @@ void addNeighbour(PathScene& made, const glm::vec3 center, const std::function<v
 }
 
 PathScene withAlpha(const AlphaMode mode) {
-    return stage([&](PathScene& made, Material& ball) {
+    return ballScene([&](PathScene& made, Material& ball) {
         ball.alphaMode = mode;
         ball.baseColorFactor.a = 0.8f;
         ball.baseColorTexture = {addWaves(made.scene, false)};
@@ -202,7 +202,7 @@ PathScene whiteRoom() {
 PathScene blended() { return withAlpha(AlphaMode::blend); }
 
 PathScene everything() {
-    return stage([](PathScene& made, Material& ball) {
+    return ballScene([](PathScene& made, Material& ball) {
         textures(made, ball, true);
         normalMap(made, ball);
         ball.clearcoatNormalTexture = {addWaves(made.scene, true), 1};
@@ -250,31 +250,32 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
         {"specular", [] { return ofMaterial(specular); }},
         {"unlit", [] { return ofMaterial([](Material& m) { m.unlit = true; }); }},
         {"single_scatter",
-         [] { return stage([](PathScene& made, Material&) { made.options.isSingleScatter = true; }); }},
-        {"vertex_colours", [] { return stage([](PathScene& made, Material&) { colors(made); }); }},
-        {"textures", [] { return stage([](PathScene& m, Material& ball) { textures(m, ball, false); }); }},
+         [] { return ballScene([](PathScene& made, Material&) { made.options.isSingleScatter = true; }); }},
+        {"vertex_colours", [] { return ballScene([](PathScene& made, Material&) { colors(made); }); }},
+        {"textures",
+         [] { return ballScene([](PathScene& m, Material& ball) { textures(m, ball, false); }); }},
         {"deep_textures",
-         [] { return stage([](PathScene& m, Material& ball) { textures(m, ball, true); }); }},
+         [] { return ballScene([](PathScene& m, Material& ball) { textures(m, ball, true); }); }},
         {"texture_chunks",
          [] {
-             return stage([](PathScene& made, Material& ball) {
+             return ballScene([](PathScene& made, Material& ball) {
                  textures(made, ball, true);
                  made.chunkBytes = 1500; // one image of 1,152 bytes in each
              });
          }},
         {"mipmaps",
          [] {
-             return stage(
+             return ballScene(
                  [](PathScene& made, Material&) { mipmaps(made, false, TextureFilter::linearMipmapLinear); });
          }},
         {"deep_mipmaps",
          [] {
-             return stage(
+             return ballScene(
                  [](PathScene& made, Material&) { mipmaps(made, true, TextureFilter::linearMipmapNearest); });
          }},
         {"nearest_of_mipmaps",
          [] {
-             return stage([](PathScene& made, Material&) {
+             return ballScene([](PathScene& made, Material&) {
                  mipmaps(made, false, TextureFilter::nearestMipmapLinear, TextureFilter::nearest);
                  made.camera.apertureRadius = 0.1f;
                  made.camera.focusDistance = 4.0f;
@@ -282,13 +283,13 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          }},
         {"nearest_from_far",
          [] {
-             return stage([](PathScene& made, Material&) {
+             return ballScene([](PathScene& made, Material&) {
                  mipmaps(made, false, TextureFilter::nearest, TextureFilter::linear);
              });
          }},
         {"mipmaps_around",
          [] {
-             return stage([](PathScene& made, Material& ball) {
+             return ballScene([](PathScene& made, Material& ball) {
                  mipmaps(made, false, TextureFilter::nearestMipmapNearest);
                  ball.metallicFactor = 1.0f;
                  ball.roughnessFactor = 0.0f;
@@ -297,27 +298,27 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          }},
         {"mipmaps_in_parallel",
          [] {
-             return stage([](PathScene& made, Material&) {
+             return ballScene([](PathScene& made, Material&) {
                  mipmaps(made, false, TextureFilter::linearMipmapLinear);
                  made.view.projection = SceneCamera::Projection::orthographic;
                  made.view.verticalExtent = 5.0f;
              });
          }},
-        {"normal_map", [] { return stage(normalMap); }},
+        {"normal_map", [] { return ballScene(normalMap); }},
         {"mask", [] { return withAlpha(AlphaMode::mask); }},
         {"blend", blended},
-        {"lamp", [] { return stage([](PathScene& made, Material&) { lamp(made); }); }},
+        {"lamp", [] { return ballScene([](PathScene& made, Material&) { lamp(made); }); }},
         {"lamp_by_lights",
-         [] { return stage([](PathScene& made, Material&) { lamp(made); }); },
+         [] { return ballScene([](PathScene& made, Material&) { lamp(made); }); },
          {.samples = 5, .seed = 3, .strategies = kSampleLights}},
         {"lamp_by_bsdf",
-         [] { return stage([](PathScene& made, Material&) { lamp(made); }); },
+         [] { return ballScene([](PathScene& made, Material&) { lamp(made); }); },
          {.samples = 5, .seed = 4, .strategies = kSampleBsdf, .clampLuminance = 1.5f}},
-        {"punctual", [] { return stage([](PathScene& made, Material&) { punctual(made); }); }},
-        {"sky", [] { return stage([](PathScene& made, Material&) { sky(made); }); }},
+        {"punctual", [] { return ballScene([](PathScene& made, Material&) { punctual(made); }); }},
+        {"sky", [] { return ballScene([](PathScene& made, Material&) { sky(made); }); }},
         {"lens",
          [] {
-             return stage([](PathScene& made, Material&) {
+             return ballScene([](PathScene& made, Material&) {
                  made.camera.pixelFilter = kFilterBlackmanHarris;
                  made.camera.apertureRadius = 0.2f;
                  made.camera.focusDistance = 4.0f;
@@ -325,7 +326,7 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          }},
         {"panorama",
          [] {
-             return stage([](PathScene& made, Material&) {
+             return ballScene([](PathScene& made, Material&) {
                  made.camera.pixelFilter = kFilterTent;
                  made.camera.isPanorama = true;
              });

@@ -26,12 +26,12 @@ const std::string kDefaultTraversal(traversals().front());
 constexpr float kManySteps = 24.0f; // less than some rays take, more than most
 
 // A scene on both sides.
-class Sides {
+class BothSides {
   public:
     enum class Where { fasterMemory, storageBuffers };
 
-    explicit Sides(const PathScene& given, const AccelerationOptions& options = {},
-                   const Where where = Where::fasterMemory)
+    explicit BothSides(const PathScene& given, const AccelerationOptions& options = {},
+                       const Where where = Where::fasterMemory)
         : made(given), structure(buildAccelerationStructure(made.scene, options)), structures(structure),
           shading(shadingOf(made)), primary(makeShadingData(made.scene)),
           sceneBuffers(where == Where::fasterMemory
@@ -132,7 +132,7 @@ class Inspector : public testing::TestWithParam<InspectedScene> {
 // Of a scene, of the default traversal, every view with every camera; of its rivals what differs, steps and
 // tests, and one view of each program.
 TEST_P(Inspector, drawsWhatTheTwinsDraw) {
-    const Sides sides(GetParam().make(), GetParam().options);
+    const BothSides sides(GetParam().make(), GetParam().options);
     SceneCamera flat = sides.view();
     flat.projection = SceneCamera::Projection::orthographic;
     flat.verticalExtent = 0.5f * sides.reach();
@@ -180,7 +180,7 @@ class InspectorWork : public testing::Test {
   protected:
     void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
 
-    const Sides sides{soup()};
+    const BothSides sides{soup()};
 };
 
 TEST_F(InspectorWork, hasANameForEachView) {
@@ -195,7 +195,7 @@ TEST_F(InspectorWork, hasANameForEachView) {
 TEST_F(InspectorWork, drawsAnEmptyScene) {
     PathScene made;
     made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
-    const Sides empty(made);
+    const BothSides empty(made);
     const Camera camera = empty.camera(9, 9);
     render::Inspector inspector = empty.inspector(kDefaultTraversal, 81);
     for (const render::ViewName& name : render::kViewNames) {
@@ -214,7 +214,7 @@ TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
 }
 
 TEST_F(InspectorWork, storageBuffersDrawTheSame) {
-    const Sides inStorage(blended(), {}, Sides::Where::storageBuffers);
+    const BothSides inStorage(blended(), {}, BothSides::Where::storageBuffers);
     ASSERT_EQ(inStorage.memory(), Memory::storage);
     const Camera camera = inStorage.camera(40, 30);
     render::Inspector inspector = inStorage.inspector(kDefaultTraversal, 40 * 30);
@@ -316,7 +316,7 @@ TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
     PathScene made;
     addSphere(made.scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles
     made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
-    const Sides sides(made, {{}, {}, 0u}); // all in one leaf
+    const BothSides sides(made, {{}, {}, 0u}); // all in one leaf
     const Camera camera = sides.camera(8, 8);
     render::Inspector inspector = sides.inspector("meta_table", 64);
     for (const std::uint32_t view : {kViewSteps, kViewNormals, kViewLeafId}) {

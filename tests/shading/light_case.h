@@ -28,7 +28,7 @@ struct LightAnswer {
     uint chosen;
     vec2 mapPoint;
     vec2 mapPointIn;
-    float rest;
+    float uRemapped;
     float mapDensity;
     float solidAngleDensity;
     uint hitsDisc;
@@ -52,7 +52,7 @@ SHARED_FN LightAnswer answer(const LightCase asked) {
     found.chosen = row.index;
     found.mapPoint = mapPoint(asked.direction);
     found.mapPointIn = mapPointIn(row, column, 2u * asked.slotCount, asked.slotCount);
-    found.rest = row.rest;
+    found.uRemapped = row.uRemapped;
     found.mapDensity =
         mapDensity(asked.density, asked.keep, asked.slotCount, asked.other, mapSine(asked.direction));
     found.solidAngleDensity = solidAngleDensity(asked.density, asked.uX, asked.direction.x);

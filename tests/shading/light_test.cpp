@@ -35,8 +35,8 @@ TEST(TableChoice, leavesANumberAsGoodAsNew) {
         const TableChoice choice = chosenEntry(kEntry, 7u, unitInterval(i << 8u));
         ASSERT_EQ(choice.index, 7u);
         ASSERT_EQ(choice.probability, 0.375f);
-        ASSERT_NEAR(choice.rest, (i - (1u << 22)) / static_cast<double>((5u << 21) - (1u << 22)), 1e-7);
-        ASSERT_LT(choice.rest, 1.0f);
+        ASSERT_NEAR(choice.uRemapped, (i - (1u << 22)) / static_cast<double>((5u << 21) - (1u << 22)), 1e-7);
+        ASSERT_LT(choice.uRemapped, 1.0f);
     }
 }
 

@@ -1,8 +1,8 @@
-// The window's picture: one canvas, or two side by side.
+// The window's picture: one viewport, or two side by side.
 #pragma once
 #include "metamarch/render/stopwatch.h"
-#include "metamarch/viewer/canvas.h"
 #include "metamarch/viewer/viewer_state.h"
+#include "metamarch/viewer/viewport.h"
 
 #include <memory>
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace metamarch::viewer {
 
-class Sides {
+class SplitView {
   public:
-    explicit Sides(const vulkan::Device& usedDevice) : device(usedDevice) {}
+    explicit SplitView(const vulkan::Device& usedDevice) : device(usedDevice) {}
 
-    bool isEmpty() const { return canvases.empty(); }
+    bool isEmpty() const { return viewports.empty(); }
     bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
 
     // One for each traversal, from left to right. Not while a frame that they were painted in is drawn; nor
-    // clear(). Scene and shaders must outlive them. Throws as Canvas.
+    // clear(). Scene and shaders must outlive them. Throws as Viewport.
     void make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
               glm::uvec2 windowSize, const ShaderOverrides& shaders);
     void clear();
 
-    void start(const Shot& shot);
+    void start(const RenderRequest& request);
     void setTone(const ToneMapping& toneMapping);
 
     // What fits between two frames: a coarse picture as soon as can be, else one submission for each side.
@@ -37,19 +37,19 @@ class Sides {
     void measure(Statistics& statistics);
 
     // What the left side shows, for files; not where it is empty.
-    const Plate& plate() const { return canvases.front()->finePlate(); }
-    const Shot& shown() const { return shot; }
-    const std::string& leftTraversal() const { return canvases.front()->traversal(); }
+    const ProgressiveImage& progressive() const { return viewports.front()->fineImage(); }
+    const RenderRequest& shown() const { return request; }
+    const std::string& leftTraversal() const { return viewports.front()->traversal(); }
 
   private:
     bool isWhole() const;
-    double share(double seconds) const { return seconds / static_cast<double>(canvases.size()); }
+    double share(double seconds) const { return seconds / static_cast<double>(viewports.size()); }
     render::PathCounters counters() const;
 
     const vulkan::Device& device;
-    std::vector<std::unique_ptr<Canvas>> canvases;
+    std::vector<std::unique_ptr<Viewport>> viewports;
     glm::uvec2 size{0};
-    Shot shot;
+    RenderRequest request;
 
     Stopwatch sinceMeasured;
     int frames = 0; // since then

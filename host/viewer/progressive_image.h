@@ -15,7 +15,7 @@
 namespace metamarch::viewer {
 
 // What is to be seen.
-struct Shot {
+struct RenderRequest {
     SceneCamera camera;
     CameraOptions lens;
     PathSettings settings;             // of the path tracer
@@ -24,14 +24,14 @@ struct Shot {
     std::uint32_t endSample = 1;       // of the path tracer
 };
 
-class Plate {
+class ProgressiveImage {
   public:
     // `most`: room on the device for a picture of that width and height. What it is made of must outlive it.
-    Plate(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
-          glm::uvec2 most, const ShaderOverrides& shaders);
+    ProgressiveImage(const vulkan::Device& device, const render::DeviceScene& scene,
+                     const std::string& traversal, glm::uvec2 most, const ShaderOverrides& shaders);
 
     // A picture of at most that size, of which nothing is there yet.
-    void start(const Shot& shot, glm::uvec2 size);
+    void start(const RenderRequest& request, glm::uvec2 size);
 
     // One submission of about `seconds`; false, and nothing is submitted, where nothing is left to do.
     bool advance(double seconds);
@@ -81,7 +81,7 @@ class Plate {
     std::optional<Path> path; // from its first use on
     std::optional<render::Inspector> inspector;
 
-    Shot shot;
+    RenderRequest request;
     glm::uvec2 pictureSize{0};
     ToneMapping tone;
     bool isToClear = false;                    // the picture still shows what was before start()

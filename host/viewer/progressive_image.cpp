@@ -1,4 +1,4 @@
-#include "metamarch/viewer/plate.h"
+#include "metamarch/viewer/progressive_image.h"
 
 #include "metamarch/shared/primary.h"
 
@@ -14,22 +14,23 @@ std::uint32_t samplesAtOnce(const std::uint32_t taken) {
 
 } // namespace
 
-Plate::Plate(const vulkan::Device& usedDevice, const render::DeviceScene& usedScene,
-             const std::string& usedTraversal, const glm::uvec2 usedMost, const ShaderOverrides& usedShaders)
+ProgressiveImage::ProgressiveImage(const vulkan::Device& usedDevice, const render::DeviceScene& usedScene,
+                                   const std::string& usedTraversal, const glm::uvec2 usedMost,
+                                   const ShaderOverrides& usedShaders)
     : device(usedDevice), scene(usedScene), traversal(usedTraversal), most(usedMost), shaders(usedShaders) {}
 
-void Plate::start(const Shot& wanted, const glm::uvec2 size) {
-    shot = wanted;
+void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size) {
+    request = wanted;
     pictureSize = size;
     isToClear = true;
     unresolved.clear();
-    const Camera camera = makeCamera(shot.camera, size.x, size.y, shot.lens);
-    if (shot.view) {
+    const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
+    if (request.view) {
         if (!inspector) {
             inspector.emplace(device, scene.buffers(), scene.shading(), traversal, most.x * most.y,
                               shaders.find("inspect", traversal), shaders.find("cells", ""));
         }
-        inspector->start(camera, *shot.view, shot.scaleMax);
+        inspector->start(camera, *request.view, request.scaleMax);
         return;
     }
     if (!path) {
@@ -38,11 +39,11 @@ void Plate::start(const Shot& wanted, const glm::uvec2 size) {
         path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
     }
     secondsBefore = path->tracer.counters().deviceSeconds;
-    path->tracer.start(camera, shot.settings, {0, render::Tiling(camera).count});
+    path->tracer.start(camera, request.settings, {0, render::Tiling(camera).count});
 }
 
-bool Plate::advance(const double seconds) {
-    if (shot.view) {
+bool ProgressiveImage::advance(const double seconds) {
+    if (request.view) {
         if (inspector->isWhole()) {
             return false;
         }
@@ -51,40 +52,42 @@ bool Plate::advance(const double seconds) {
         return true;
     }
     render::PathTracer& tracer = path->tracer;
-    if (tracer.samples() >= shot.endSample) {
+    if (tracer.samples() >= request.endSample) {
         return false;
     }
-    unresolved.push_back(tracer.advance(shot.endSample, samplesAtOnce(tracer.samples()), seconds));
+    unresolved.push_back(tracer.advance(request.endSample, samplesAtOnce(tracer.samples()), seconds));
     return true;
 }
 
 // The views are drawn where they are seen: what was there before must go first.
-void Plate::clear() {
+void ProgressiveImage::clear() {
     if (isToClear) {
         vulkan::Submission(device).run([&](vulkan::Commands& commands) { commands.fill(picture(), 0); });
         isToClear = false;
     }
 }
 
-bool Plate::isWhole() const { return shot.view ? inspector->isWhole() : path->tracer.samples() > 0; }
-
-double Plate::samples() const { return shot.view ? 0.0 : path->tracer.meanSamples(); }
-
-double Plate::seconds() const {
-    return shot.view ? inspector->deviceSeconds() : path->tracer.counters().deviceSeconds - secondsBefore;
+bool ProgressiveImage::isWhole() const {
+    return request.view ? inspector->isWhole() : path->tracer.samples() > 0;
 }
 
-void Plate::setTone(const ToneMapping& toneMapping) {
+double ProgressiveImage::samples() const { return request.view ? 0.0 : path->tracer.meanSamples(); }
+
+double ProgressiveImage::seconds() const {
+    return request.view ? inspector->deviceSeconds() : path->tracer.counters().deviceSeconds - secondsBefore;
+}
+
+void ProgressiveImage::setTone(const ToneMapping& toneMapping) {
     if (tone == toneMapping) {
         return;
     }
     tone = toneMapping;
-    if (path && !shot.view) {
+    if (path && !request.view) {
         unresolved = {path->tracer.begunTiles()};
     }
 }
 
-void Plate::record(vulkan::Commands& commands) {
+void ProgressiveImage::record(vulkan::Commands& commands) {
     if (isToClear) {
         commands.fill(picture(), 0);
         isToClear = false;
@@ -95,11 +98,11 @@ void Plate::record(vulkan::Commands& commands) {
     unresolved.clear();
 }
 
-const vulkan::Buffer& Plate::picture() const {
-    return shot.view ? inspector->picture() : path->resolver.picture();
+const vulkan::Buffer& ProgressiveImage::picture() const {
+    return request.view ? inspector->picture() : path->resolver.picture();
 }
 
-std::vector<FilmPixel> Plate::film() const {
+std::vector<FilmPixel> ProgressiveImage::film() const {
     std::vector<FilmPixel> pixels(std::size_t{pictureSize.x} * pictureSize.y);
     path->tracer.download(pixels);
     return pixels;

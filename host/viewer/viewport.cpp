@@ -1,4 +1,4 @@
-#include "metamarch/viewer/canvas.h"
+#include "metamarch/viewer/viewport.h"
 
 #include "metamarch/render/kernel.h"
 #include "metamarch/shared/primary.h"
@@ -35,32 +35,32 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
 
 } // namespace
 
-Canvas::Canvas(const vulkan::Device& usedDevice, const render::DeviceScene& scene,
-               const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
+Viewport::Viewport(const vulkan::Device& usedDevice, const render::DeviceScene& scene,
+                   const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
     : device(usedDevice), name(traversal), fineSize(fittingSize(usedDevice, size)),
       coarse(usedDevice, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
       fine(usedDevice, scene, traversal, fineSize, shaders) {}
 
-void Canvas::start(const Shot& shot, const double seconds) {
+void Viewport::start(const RenderRequest& request, const double seconds) {
     const double pixels = static_cast<double>(fineSize.x) * fineSize.y;
     const auto* const fitting = std::ranges::find_if(
         kCoarseness, [&](const std::uint32_t by) { return pixels / (by * by) * secondsPerPixel <= seconds; });
     const std::uint32_t by = secondsPerPixel == 0.0             ? kFirstCoarseness
                              : fitting == std::end(kCoarseness) ? kCoarseness.back()
                                                                 : *fitting;
-    Shot quick = shot;
+    RenderRequest quick = request;
     quick.endSample = 1;
     coarse.start(quick, divided(fineSize, by));
-    fine.start(shot, fineSize);
-    isView = shot.view.has_value();
+    fine.start(request, fineSize);
+    isView = request.view.has_value();
 }
 
-void Canvas::setTone(const ToneMapping& toneMapping) {
+void Viewport::setTone(const ToneMapping& toneMapping) {
     coarse.setTone(toneMapping);
     fine.setTone(toneMapping);
 }
 
-bool Canvas::advance(const double seconds) {
+bool Viewport::advance(const double seconds) {
     if (coarse.isWhole()) {
         return fine.advance(seconds);
     }
@@ -71,7 +71,7 @@ bool Canvas::advance(const double seconds) {
     return true;
 }
 
-vulkan::ComputePipeline& Canvas::presenting() {
+vulkan::ComputePipeline& Viewport::presenting() {
     std::optional<vulkan::ComputePipeline>& pipeline = isView ? presentView : presentPath;
     if (!pipeline) {
         pipeline = render::makeKernel(device, "present",
@@ -83,8 +83,8 @@ vulkan::ComputePipeline& Canvas::presenting() {
     return *pipeline;
 }
 
-void Canvas::record(vulkan::Commands& commands, const Screen& screen, const std::uint32_t first,
-                    const std::uint32_t end) {
+void Viewport::record(vulkan::Commands& commands, const Screen& screen, const std::uint32_t first,
+                      const std::uint32_t end) {
     coarse.record(commands);
     fine.record(commands);
     if (first >= end) {

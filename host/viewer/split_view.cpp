@@ -1,0 +1,132 @@
+#include "metamarch/viewer/split_view.h"
+
+#include <algorithm>
+
+namespace metamarch::viewer {
+namespace {
+
+// A frame while something changes: a coarse picture and the panels fit into the 50 ms of 20 frames a second.
+constexpr double kQuickSeconds = 0.025;
+// A submission while nothing changes; the window waits for one at most.
+constexpr double kCalmSeconds = 0.06;
+constexpr double kMeasuredSeconds = 0.5; // that a rate is a mean over
+
+constexpr std::uint32_t kEmptyPixel = 0xff201c1a; // dark, in either order of colours
+
+} // namespace
+
+bool SplitView::areOf(const std::vector<std::string>& traversals, const glm::uvec2 windowSize) const {
+    return size == windowSize && std::ranges::equal(viewports, traversals, {}, [](const auto& viewport) {
+               return viewport->traversal();
+           });
+}
+
+void SplitView::make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
+                     const glm::uvec2 windowSize, const ShaderOverrides& shaders) {
+    clear();
+    size = windowSize;
+    for (const std::string& name : traversals) {
+        viewports.push_back(std::make_unique<Viewport>(device, scene, name, size, shaders));
+    }
+}
+
+void SplitView::clear() {
+    viewports.clear();
+    countersBefore = {};
+}
+
+void SplitView::start(const RenderRequest& wanted) {
+    request = wanted;
+    for (const auto& viewport : viewports) {
+        viewport->start(request, share(kQuickSeconds));
+    }
+}
+
+void SplitView::setTone(const ToneMapping& toneMapping) {
+    for (const auto& viewport : viewports) {
+        viewport->setTone(toneMapping);
+    }
+}
+
+bool SplitView::isWhole() const {
+    return std::ranges::all_of(viewports, [](const auto& viewport) { return viewport->isWhole(); });
+}
+
+bool SplitView::advance() {
+    if (!isWhole()) {
+        // The first submissions are small: nobody knows yet how long they take.
+        const Stopwatch stopwatch;
+        do {
+            for (const auto& viewport : viewports) {
+                if (!viewport->isWhole()) {
+                    viewport->advance(share(kQuickSeconds));
+                }
+            }
+        } while (!isWhole() && stopwatch.seconds() < kQuickSeconds);
+        return true;
+    }
+    bool hasWorked = false;
+    for (const auto& viewport : viewports) {
+        hasWorked = viewport->advance(share(kCalmSeconds)) || hasWorked;
+    }
+    return hasWorked;
+}
+
+void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const float line) {
+    if (viewports.empty() || size != screen.size) {
+        commands.fill(screen.pixels, kEmptyPixel);
+        return;
+    }
+    std::uint32_t first = 0;
+    for (const auto& viewport : viewports) {
+        const bool isLast = viewport == viewports.back();
+        const std::uint32_t end =
+            isLast ? screen.size.x : static_cast<std::uint32_t>(line * static_cast<float>(screen.size.x));
+        viewport->record(commands, screen, first, end);
+        first = end;
+    }
+}
+
+render::PathCounters SplitView::counters() const {
+    render::PathCounters total;
+    for (const auto& viewport : viewports) {
+        for (const ProgressiveImage* const progressive : {&viewport->coarseImage(), &viewport->fineImage()}) {
+            if (const render::PathCounters* const part = progressive->counters()) {
+                total.samples += part->samples;
+                total.rays += part->rays;
+                total.steps += part->steps;
+                total.tests += part->tests;
+            }
+        }
+    }
+    return total;
+}
+
+void SplitView::measure(Statistics& statistics) {
+    ++frames;
+    statistics.viewportSeconds = {};
+    for (std::size_t i = 0; i < viewports.size(); ++i) {
+        const ProgressiveImage& fine = viewports[i]->fineImage();
+        statistics.viewportSeconds[i] = fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
+    }
+    statistics.samples = viewports.empty() ? 0.0 : progressive().samples();
+
+    const double seconds = sinceMeasured.seconds();
+    if (seconds < kMeasuredSeconds) {
+        return;
+    }
+    const render::PathCounters total = counters();
+    const double rays = total.rays - countersBefore.rays;
+    statistics.framesPerSecond = frames / seconds;
+    statistics.raysPerSecond = rays / seconds;
+    statistics.samplesPerSecond = (total.samples - countersBefore.samples) / seconds;
+    if (rays > 0.0) {
+        statistics.stepsPerRay = (total.steps - countersBefore.steps) / rays;
+        statistics.testsPerRay = (total.tests - countersBefore.tests) / rays;
+    }
+    countersBefore = total;
+    sinceMeasured = Stopwatch();
+    frames = 0;
+}
+
+} // namespace metamarch::viewer
