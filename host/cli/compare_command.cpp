@@ -22,26 +22,30 @@ struct CompareOptions {
 };
 
 void printTable(const Comparison& comparison) {
-    if (!comparison.channels.empty())
+    if (!comparison.channels.empty()) {
         fmt::print("{:<12} {:>12} {:>12} {:>13} {:>12} {:>13} {:>14} {:>14} {:>10} {:>9}\n", "channel",
                    "RMSE", "relative MSE", "mean A - B", "max |A - B|", "at x,y", "A there", "B there",
                    "failing", "%");
-    for (const ChannelComparison& channel : comparison.channels)
+    }
+    for (const ChannelComparison& channel : comparison.channels) {
         fmt::print(
             "{:<12} {:>12.6g} {:>12.6g} {:>13.6g} {:>12.6g} {:>13} {:>14.8g} {:>14.8g} {:>10} {:>9.4f}{}\n",
             channel.name, channel.rmse, channel.relativeMse, channel.meanDifference, channel.maxDifference,
             fmt::format("{},{}", channel.worstX, channel.worstY), channel.worstA, channel.worstB,
             channel.failingPixels, channel.failingPercent, channel.judged ? "" : "  (not judged)");
-    for (const std::string& mismatch : comparison.mismatches)
+    }
+    for (const std::string& mismatch : comparison.mismatches) {
         fmt::print("{}\n", mismatch);
+    }
     fmt::print("{}: {} of {} pixels fail ({:.4f} %)\n", comparison.passed ? "within bounds" : "out of bounds",
                comparison.failingPixels, comparison.pixels, comparison.failingPercent);
 }
 
 // JSON has no infinities and no NaN: they become the strings "inf", "-inf" and "nan".
 nlohmann::ordered_json jsonNumber(double value) {
-    if (std::isfinite(value))
+    if (std::isfinite(value)) {
         return value;
+    }
     return fmt::format("{}", value);
 }
 
@@ -63,8 +67,9 @@ nlohmann::ordered_json toJson(const ChannelComparison& channel) {
 
 void printJson(const Comparison& comparison, const CompareOptions& options) {
     nlohmann::ordered_json channels = nlohmann::ordered_json::array();
-    for (const ChannelComparison& channel : comparison.channels)
+    for (const ChannelComparison& channel : comparison.channels) {
         channels.push_back(toJson(channel));
+    }
     const nlohmann::ordered_json report = {
         {"a", options.pathA},
         {"b", options.pathB},
@@ -83,8 +88,9 @@ void printJson(const Comparison& comparison, const CompareOptions& options) {
 
 std::string failureLine(const Comparison& comparison, const CompareOptions& options) {
     const std::string pictures = options.pathA + " and " + options.pathB + " differ: ";
-    if (!comparison.mismatches.empty())
+    if (!comparison.mismatches.empty()) {
         return pictures + comparison.mismatches.front();
+    }
     return pictures +
            fmt::format("{} of {} pixels ({:.4g} %) by more than {}; --max-abs and --max-fail-percent "
                        "set what is allowed, --out shows where",
@@ -93,21 +99,25 @@ std::string failureLine(const Comparison& comparison, const CompareOptions& opti
 }
 
 void runCompare(const CompareOptions& options) {
-    if (!options.differencePath.empty())
+    if (!options.differencePath.empty()) {
         checkWritable(options.differencePath);
+    }
 
     const Image a = readImage(options.pathA);
     const Image b = readImage(options.pathB);
     const Comparison comparison = compareImages(a, b, options.bounds);
-    if (options.json)
+    if (options.json) {
         printJson(comparison, options);
-    else
+    } else {
         printTable(comparison);
+    }
     // Pictures of different sizes, or without a common channel, have no difference picture.
-    if (!options.differencePath.empty() && !comparison.channels.empty())
+    if (!options.differencePath.empty() && !comparison.channels.empty()) {
         writeImage(differenceImage(a, b), options.differencePath);
-    if (!comparison.passed)
+    }
+    if (!comparison.passed) {
         throw Error(ErrorKind::mismatch, failureLine(comparison, options));
+    }
 }
 
 } // namespace

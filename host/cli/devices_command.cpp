@@ -20,14 +20,16 @@ using vulkan::DeviceReport;
 void printLine(const char* what, const std::string& value) { fmt::print("     {:<36} {}\n", what, value); }
 
 std::string usableText(const DeviceReport& report, bool isDefault) {
-    if (!report.usable())
+    if (!report.usable()) {
         return fmt::format("no: {}", fmt::join(report.refusals, "; "));
+    }
     return isDefault ? "yes, used unless --device says otherwise" : "yes";
 }
 
 std::string timestampText(const DeviceReport& report) {
-    if (report.timestampValidBits == 0)
+    if (report.timestampValidBits == 0) {
         return "none (not needed: times are taken by the wall clock)";
+    }
     return fmt::format("{} bits, {} ns per tick", report.timestampValidBits, report.timestampPeriod);
 }
 
@@ -93,15 +95,18 @@ void runDevices(bool json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const DeviceReport& report : reports) {
         const bool isDefault = report.index == defaultIndex;
-        if (json)
+        if (json) {
             list.push_back(toJson(report, isDefault));
-        else
+        } else {
             printReport(report, isDefault);
+        }
     }
-    if (json) // a driver may call its device by bytes that are no UTF-8
+    if (json) { // a driver may call its device by bytes that are no UTF-8
         fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    if (!defaultIndex)
+    }
+    if (!defaultIndex) {
         throw Error(ErrorKind::noDevice, "no usable Vulkan device; the list above says why");
+    }
 }
 
 } // namespace

@@ -22,22 +22,27 @@ std::string oneLine(std::string text) {
 
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
     std::error_code failure;
-    if (!std::filesystem::exists(path_, failure))
+    if (!std::filesystem::exists(path_, failure)) {
         refuse("no such file");
+    }
     // Reading from a device or pipe might never end.
-    if (!std::filesystem::is_regular_file(path_, failure))
+    if (!std::filesystem::is_regular_file(path_, failure)) {
         refuse("not a regular file");
-    if (std::filesystem::file_size(path_, failure) == 0)
+    }
+    if (std::filesystem::file_size(path_, failure) == 0) {
         refuse("the file is empty");
+    }
     folder_ = std::filesystem::canonical(path_, failure).parent_path();
-    if (failure)
+    if (failure) {
         refuse(failure.message());
+    }
 }
 
 std::vector<unsigned char> InputFile::read() const {
     std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
-    if (!bytes)
+    if (!bytes) {
         refuse("cannot be opened and read to its end");
+    }
     return std::move(*bytes);
 }
 
@@ -47,18 +52,21 @@ bool InputFile::isBeside(const std::filesystem::path& other) const {
     // exist.
     const std::filesystem::path resolved =
         std::filesystem::weakly_canonical(std::filesystem::absolute(other), failure);
-    if (failure)
+    if (failure) {
         return false;
+    }
     return std::mismatch(folder_.begin(), folder_.end(), resolved.begin(), resolved.end()).first ==
            folder_.end();
 }
 
 std::string InputFile::whyNotReadable(const std::string& name) const {
-    if (name.find("://") != std::string::npos)
+    if (name.find("://") != std::string::npos) {
         return "is not a file beside the scene";
+    }
     if (std::filesystem::path(name).is_absolute() || name.find('\0') != std::string::npos ||
-        !isBeside(companion(name)))
+        !isBeside(companion(name))) {
         return "leaves the scene's folder";
+    }
     std::error_code failure;
     return std::filesystem::is_regular_file(companion(name), failure) ? "" : "is missing";
 }
@@ -68,20 +76,23 @@ void InputFile::refuse(const std::string& what) const { throw Error(ErrorKind::i
 void InputFile::refuseSize(const std::string& what) const { throw Error(ErrorKind::outOfMemory, line(what)); }
 
 void InputFile::warn(const std::string& what) {
-    if (warned_.insert(what).second)
+    if (warned_.insert(what).second) {
         warnings_.push_back(line(what));
+    }
 }
 
 std::string InputFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
 
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary | std::ios::ate);
-    if (!stream)
+    if (!stream) {
         return std::nullopt;
+    }
     std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
     stream.seekg(0);
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())))
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
         return std::nullopt;
+    }
     return bytes;
 }
 

@@ -19,8 +19,9 @@ struct ChannelPair {
 
 // a - b where that is a number; see ChannelComparison for the rest. One NaN gives NaN.
 double signedDifference(float a, float b) {
-    if (a == b || (std::isnan(a) && std::isnan(b)))
+    if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;
+    }
     return static_cast<double>(a) - static_cast<double>(b);
 }
 
@@ -29,8 +30,9 @@ double absoluteDifference(double difference) {
 }
 
 double relativeSquare(double absolute, float reference) {
-    if (absolute == 0.0 || std::isinf(absolute))
+    if (absolute == 0.0 || std::isinf(absolute)) {
         return absolute;
+    }
     const double squared = static_cast<double>(reference) * static_cast<double>(reference);
     return absolute * absolute / (squared + kRelativeMseFloor);
 }
@@ -75,16 +77,20 @@ class ChannelSums {
 
 std::vector<ChannelPair> commonChannels(const Image& a, const Image& b) {
     std::vector<ChannelPair> pairs;
-    for (std::size_t inA = 0; inA < a.channels.size(); ++inA)
-        if (const auto inB = b.findChannel(a.channels[inA]))
+    for (std::size_t inA = 0; inA < a.channels.size(); ++inA) {
+        if (const auto inB = b.findChannel(a.channels[inA])) {
             pairs.push_back({inA, *inB});
+        }
+    }
     return pairs;
 }
 
 void addMissingChannels(const Image& from, const Image& in, const char* which, Comparison& comparison) {
-    for (const std::string& name : from.channels)
-        if (isJudged(name) && !in.findChannel(name))
+    for (const std::string& name : from.channels) {
+        if (isJudged(name) && !in.findChannel(name)) {
             comparison.mismatches.push_back("channel " + name + " is only in the " + which + " picture");
+        }
+    }
 }
 
 std::string sizeOf(const Image& image) {
@@ -136,10 +142,12 @@ Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds&
     comparison.pixels = a.pixelCount();
     compareChannels(a, b, bounds.maxAbs, comparison);
     bool anyJudged = false;
-    for (const ChannelComparison& channel : comparison.channels)
+    for (const ChannelComparison& channel : comparison.channels) {
         anyJudged = anyJudged || channel.judged;
-    if (!anyJudged)
+    }
+    if (!anyJudged) {
         comparison.mismatches.emplace_back("they have no channel in common that is judged");
+    }
     comparison.failingPercent =
         100.0 * static_cast<double>(comparison.failingPixels) / static_cast<double>(comparison.pixels);
     comparison.passed = comparison.mismatches.empty() && comparison.failingPercent <= bounds.maxFailPercent;
@@ -147,23 +155,26 @@ Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds&
 }
 
 Image differenceImage(const Image& a, const Image& b) {
-    if (a.width != b.width || a.height != b.height)
+    if (a.width != b.width || a.height != b.height) {
         throw std::invalid_argument("differenceImage: the sizes differ");
+    }
     const std::vector<ChannelPair> pairs = commonChannels(a, b);
     std::vector<std::string> names;
     names.reserve(pairs.size());
-    for (const ChannelPair pair : pairs)
+    for (const ChannelPair pair : pairs) {
         names.push_back(a.channels[pair.inA]);
+    }
 
     Image difference(a.width, a.height, names);
     std::size_t next = 0;
-    for (std::size_t pixel = 0; pixel < a.pixelCount(); ++pixel)
+    for (std::size_t pixel = 0; pixel < a.pixelCount(); ++pixel) {
         for (const ChannelPair pair : pairs) {
             const float valueA = a.pixels[pixel * a.channels.size() + pair.inA];
             const float valueB = b.pixels[pixel * b.channels.size() + pair.inB];
             difference.pixels[next++] =
                 static_cast<float>(absoluteDifference(signedDifference(valueA, valueB)));
         }
+    }
     return difference;
 }
 

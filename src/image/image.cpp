@@ -24,8 +24,9 @@ std::size_t Image::pixelCount() const {
 
 std::optional<std::size_t> Image::findChannel(std::string_view name) const {
     const auto found = std::find(channels.begin(), channels.end(), name);
-    if (found == channels.end())
+    if (found == channels.end()) {
         return std::nullopt;
+    }
     return static_cast<std::size_t>(found - channels.begin());
 }
 

@@ -43,16 +43,19 @@ Format formatOf(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    if (ending == ".exr")
+    if (ending == ".exr") {
         return Format::exr;
-    if (ending == ".png")
+    }
+    if (ending == ".png") {
         return Format::png;
+    }
     throw Error(ErrorKind::invalidArgument, path.string() + ": a picture is written as .exr or .png");
 }
 
 std::string oneLine(std::string text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) {
         text.pop_back();
+    }
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
 }
@@ -76,8 +79,9 @@ void writeExr(const Image& image, const std::filesystem::path& path) {
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeFloat);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
-    for (const auto& [name, value] : image.attributes)
+    for (const auto& [name, value] : image.attributes) {
         spec.attribute(name, value);
+    }
     writePixels(spec, "exr", OIIO::TypeFloat, image.pixels.data(), path);
 }
 
@@ -90,9 +94,10 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
     const auto green = image.findChannel("G");
     const auto blue = image.findChannel("B");
     const auto alpha = image.findChannel("A");
-    if (!red || !green || !blue)
+    if (!red || !green || !blue) {
         throw Error(ErrorKind::invalidArgument,
                     path.string() + ": a PNG needs the channels R, G and B; write an .exr");
+    }
 
     std::vector<std::uint8_t> bytes;
     bytes.reserve(image.pixelCount() * 4);
@@ -102,10 +107,12 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
         const glm::vec3 radiance(unassociated(values[*red], coverage), unassociated(values[*green], coverage),
                                  unassociated(values[*blue], coverage));
         const glm::vec3 shown = toneMapped(toneMapping, radiance);
-        for (int color = 0; color < 3; ++color)
+        for (int color = 0; color < 3; ++color) {
             bytes.push_back(static_cast<std::uint8_t>(toSrgb8(shown[color])));
-        if (alpha)
+        }
+        if (alpha) {
             bytes.push_back(static_cast<std::uint8_t>(toLinear8(coverage)));
+        }
     }
 
     OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3, OIIO::TypeUInt8);
@@ -118,12 +125,14 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
 
 void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
     if (image.width <= 0 || image.height <= 0 || image.channels.empty() ||
-        image.pixels.size() != image.pixelCount() * image.channels.size())
+        image.pixels.size() != image.pixelCount() * image.channels.size()) {
         throw std::invalid_argument("writeImage: size, channels and pixels do not fit together");
-    if (formatOf(path) == Format::exr)
+    }
+    if (formatOf(path) == Format::exr) {
         writeExr(image, path);
-    else
+    } else {
         writePng(image, path, toneMapping);
+    }
 }
 
 void checkWritable(const std::filesystem::path& path) {

@@ -18,36 +18,44 @@ namespace {
 std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& path) {
     std::error_code unreachable;
     const std::filesystem::file_status status = std::filesystem::status(path, unreachable);
-    if (unreachable)
+    if (unreachable) {
         refuse(path, unreachable.message());
-    if (std::filesystem::is_directory(status))
+    }
+    if (std::filesystem::is_directory(status)) {
         refuse(path, "it is a folder");
+    }
 
     OIIO::ImageSpec request;
     request.attribute("oiio:UnassociatedAlpha", 1); // values as stored
     auto input = OIIO::ImageInput::open(path.string(), &request);
-    if (!input)
+    if (!input) {
         refuse(path, OIIO::geterror());
+    }
     return input;
 }
 
 void checkSupported(OIIO::ImageInput& input, const std::filesystem::path& path) {
     const OIIO::ImageSpec spec = input.spec();
-    if (spec.deep)
+    if (spec.deep) {
         refuse(path, "it is a deep picture; flatten it first");
-    if (spec.depth > 1)
+    }
+    if (spec.depth > 1) {
         refuse(path, "it is a volume");
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+    }
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) {
         refuse(path, "it has no pixels");
-    if (input.seek_subimage(1, 0))
+    }
+    if (input.seek_subimage(1, 0)) {
         refuse(path, "it has several parts; give a picture of one part");
+    }
     input.seek_subimage(0, 0);
 }
 
 bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int yBegin, int yEnd, float* rows) {
-    if (spec.tile_width > 0)
+    if (spec.tile_width > 0) {
         return input.read_tiles(0, 0, spec.x, spec.x + spec.width, yBegin, yEnd, spec.z, spec.z + 1, 0,
                                 spec.nchannels, OIIO::TypeFloat, rows);
+    }
     return input.read_scanlines(0, 0, yBegin, yEnd, spec.z, 0, spec.nchannels, OIIO::TypeFloat, rows);
 }
 
@@ -68,12 +76,15 @@ Image readImage(const std::filesystem::path& path) {
         const int rows = std::min(band, spec.height - row);
         const std::size_t begin = image.pixels.size();
         image.pixels.resize(begin + static_cast<std::size_t>(rows) * rowValues);
-        if (!readRows(*input, spec, spec.y + row, spec.y + row + rows, &image.pixels[begin]))
+        if (!readRows(*input, spec, spec.y + row, spec.y + row + rows, &image.pixels[begin])) {
             refuse(path, input->geterror());
+        }
     }
-    for (const OIIO::ParamValue& attribute : spec.extra_attribs)
-        if (attribute.type() == OIIO::TypeString)
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        if (attribute.type() == OIIO::TypeString) {
             image.attributes.emplace_back(attribute.name().string(), attribute.get_string());
+        }
+    }
     return image;
 }
 

@@ -13,10 +13,12 @@ namespace {
 
 Scene import(InputFile& file, const ImportOptions& options) {
     const std::string ending = lowerCaseEnding(file.path());
-    if (ending == ".gltf" || ending == ".glb")
+    if (ending == ".gltf" || ending == ".glb") {
         return importGltf(file, options);
-    if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl")
+    }
+    if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl") {
         return importMesh(file, ending, options);
+    }
     file.refuse("the ending '" + ending + "' is none of .gltf .glb .obj .ply .off .stl");
 }
 
@@ -24,8 +26,9 @@ Scene import(InputFile& file, const ImportOptions& options) {
 
 Scene loadScene(const std::filesystem::path& path, const ImportOptions& options) {
     InputFile file(path);
-    if (!std::isfinite(options.scale) || options.scale == 0.0f)
+    if (!std::isfinite(options.scale) || options.scale == 0.0f) {
         file.refuse("scale " + std::to_string(options.scale) + " is zero or not finite");
+    }
     try {
         Scene scene = import(file, options);
         scene.warnings = file.takeWarnings();

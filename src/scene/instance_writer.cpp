@@ -13,10 +13,12 @@ bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v
 template <class T, class Convert>
 void append(std::vector<T>& to, const std::vector<T>& values, std::size_t count, const T& missing,
             const Convert& convert) {
-    for (const T& value : values)
+    for (const T& value : values) {
         to.push_back(convert(value));
-    if (values.empty())
+    }
+    if (values.empty()) {
         to.insert(to.end(), count, missing);
+    }
 }
 
 // Like append, for an array that stays empty until some part has values. `before` is the number of vertices
@@ -24,8 +26,9 @@ void append(std::vector<T>& to, const std::vector<T>& values, std::size_t count,
 template <class T, class Convert>
 void appendOptional(std::vector<T>& to, const std::vector<T>& values, std::size_t count, std::size_t before,
                     const T& missing, const Convert& convert) {
-    if (values.empty() && to.empty())
+    if (values.empty() && to.empty()) {
         return;
+    }
     to.resize(before, missing);
     append(to, values, count, missing, convert);
 }
@@ -56,17 +59,19 @@ void InstanceWriter::write(const std::string& label, const MeshGeometry& part, s
                    [this](const glm::vec4& tangent) { return worldTangent(tangent); });
 
     const auto first = static_cast<std::uint32_t>(before);
-    for (const glm::uvec3& triangle : part.triangles)
+    for (const glm::uvec3& triangle : part.triangles) {
         scene_.triangles.push_back(first +
                                    (mirrored_ ? glm::uvec3(triangle.x, triangle.z, triangle.y) : triangle));
+    }
     scene_.triangleMesh.resize(scene_.triangles.size(), mesh_);
     scene_.triangleMaterial.resize(scene_.triangles.size(), material);
 }
 
 void InstanceWriter::finish() {
     const auto report = [this](std::uint64_t count, const char* what) {
-        if (count > 0)
+        if (count > 0) {
             file_.warn(label_ + ": " + std::to_string(count) + ' ' + what);
+        }
     };
     report(brokenNormals_, "normals are zero or not finite; the triangles' own are used there");
     report(brokenTexCoords_, "texture coordinates are not finite; zero is used");
@@ -75,19 +80,22 @@ void InstanceWriter::finish() {
 }
 
 void InstanceWriter::checkRoom(const std::string& label, const MeshGeometry& part) const {
-    if (part.positions.size() > kMaxVertices - scene_.positions.size())
+    if (part.positions.size() > kMaxVertices - scene_.positions.size()) {
         file_.refuseSize(label + ": the scene would have more than " + std::to_string(kMaxVertices) +
                          " vertices");
-    if (part.triangles.size() > kMaxTriangles - scene_.triangles.size())
+    }
+    if (part.triangles.size() > kMaxTriangles - scene_.triangles.size()) {
         file_.refuseSize(label + ": the scene would have more than " + std::to_string(kMaxTriangles) +
                          " triangles");
+    }
 }
 
 void InstanceWriter::writePositions(const std::string& label, const MeshGeometry& part) {
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
         const glm::vec3 position(toWorld_ * glm::dvec4(part.positions[i], 1.0));
-        if (!isFinite(position))
+        if (!isFinite(position)) {
             file_.refuse(label + ": position of vertex " + std::to_string(i) + " is not finite");
+        }
         scene_.positions.push_back(position);
     }
 }
@@ -115,14 +123,16 @@ glm::vec4 InstanceWriter::worldTangent(const glm::vec4& tangent) {
     }
     const glm::dvec3 carried = glm::dmat3(toWorld_) * (direction / length);
     const double carriedLength = glm::length(carried);
-    if (!std::isfinite(carriedLength) || carriedLength == 0.0)
+    if (!std::isfinite(carriedLength) || carriedLength == 0.0) {
         return glm::vec4(0.0f);
+    }
     return glm::vec4(carried / carriedLength, (tangent.w < 0.0f) == mirrored_ ? 1.0 : -1.0);
 }
 
 glm::vec2 InstanceWriter::checkedTexCoord(const glm::vec2& texCoord) {
-    if (std::isfinite(texCoord.x) && std::isfinite(texCoord.y))
+    if (std::isfinite(texCoord.x) && std::isfinite(texCoord.y)) {
         return texCoord;
+    }
     ++brokenTexCoords_;
     return glm::vec2(0.0f);
 }

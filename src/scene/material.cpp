@@ -32,8 +32,9 @@ bool needsTangents(const Material& material) {
 std::uint32_t texCoordOfTangents(const Material& material) {
     for (const TextureRef* ref :
          {&material.normalTexture, &material.clearcoatNormalTexture, &material.anisotropyTexture}) {
-        if (ref->texture != kNoTexture)
+        if (ref->texture != kNoTexture) {
             return ref->texCoord;
+        }
     }
     return 0;
 }

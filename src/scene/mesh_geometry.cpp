@@ -39,8 +39,9 @@ std::vector<TangentCorner> cornersOf(const MeshGeometry& geometry, std::uint32_t
 // Appends a copy of all attributes of `vertex` except its tangent.
 void copyVertex(MeshGeometry& geometry, std::uint32_t vertex) {
     const auto copy = [vertex](auto& values) {
-        if (!values.empty())
+        if (!values.empty()) {
             values.push_back(values[vertex]);
+        }
     };
     copy(geometry.positions);
     copy(geometry.normals);
@@ -55,9 +56,10 @@ void checkIndices(const InputFile& file, const std::string& label, const MeshGeo
     const std::size_t count = geometry.positions.size();
     for (const glm::uvec3& triangle : geometry.triangles) {
         for (int corner = 0; corner < 3; ++corner) {
-            if (triangle[corner] >= count)
+            if (triangle[corner] >= count) {
                 file.refuse(label + ": index " + std::to_string(triangle[corner]) +
                             " is out of range, there are " + std::to_string(count) + " vertices");
+            }
         }
     }
 }

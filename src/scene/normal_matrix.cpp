@@ -12,11 +12,13 @@ bool isMirroring(const glm::dmat4& transform) { return glm::determinant(glm::dma
 glm::dmat3 normalMatrix(const glm::dmat4& transform) {
     glm::dmat3 linear(transform);
     double largest = 0.0;
-    for (int column = 0; column < 3; ++column)
+    for (int column = 0; column < 3; ++column) {
         largest = std::max(
             {largest, std::abs(linear[column].x), std::abs(linear[column].y), std::abs(linear[column].z)});
-    if (largest > 0.0)
+    }
+    if (largest > 0.0) {
         linear /= largest;
+    }
     const glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                               glm::cross(linear[0], linear[1]));
     return isMirroring(transform) ? -cofactor : cofactor;

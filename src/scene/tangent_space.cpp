@@ -54,13 +54,15 @@ class TangentSpace {
 
     std::vector<glm::vec4> compute() {
         weld();
-        for (std::uint32_t i = 0; i < corners_.size() / 3; ++i)
+        for (std::uint32_t i = 0; i < corners_.size() / 3; ++i) {
             faces_.push_back(makeFace(i));
+        }
         linkNeighbors();
         for (std::uint32_t face = 0; face < faces_.size(); ++face) {
             for (std::uint32_t corner = 0; corner < 3; ++corner) {
-                if (!isDegenerate(face) && !faces_[face].joinsAny && !faces_[face].grouped[corner])
+                if (!isDegenerate(face) && !faces_[face].joinsAny && !faces_[face].grouped[corner]) {
                     evaluate(collectGroup(face, corner));
+                }
             }
         }
         finishDegenerates();
@@ -73,8 +75,9 @@ class TangentSpace {
     struct KeyHash {
         std::size_t operator()(const Key& key) const {
             std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, one word at a time
-            for (const std::uint32_t word : key)
+            for (const std::uint32_t word : key) {
                 hash = (hash ^ word) * 0x100000001b3u;
+            }
             return static_cast<std::size_t>(hash ^ (hash >> 32));
         }
     };
@@ -120,14 +123,16 @@ class TangentSpace {
         const glm::vec3 d2 = c.position - a.position;
         const float area = t1.x * t2.y - t1.y * t2.x; // twice the signed area
         face.turnsLikeTexture = area > 0.0f;
-        if (!isNotZero(area))
+        if (!isNotZero(area)) {
             return face;
+        }
         const glm::vec3 s = d1 * t2.y - d2 * t1.y;
         const glm::vec3 t = d2 * t1.x - d1 * t2.x;
         const float lengthS = std::sqrt(glm::dot(s, s));
         const float lengthT = std::sqrt(glm::dot(t, t));
-        if (isNotZero(lengthS))
+        if (isNotZero(lengthS)) {
             face.alongS = s * ((face.turnsLikeTexture ? 1.0f : -1.0f) / lengthS);
+        }
         face.joinsAny = !isNotZero(lengthS / std::abs(area)) || !isNotZero(lengthT / std::abs(area));
         return face;
     }
@@ -146,8 +151,10 @@ class TangentSpace {
         std::ranges::sort(edges, std::less<>());
         for (std::size_t begin = 0; begin < edges.size();) {
             std::size_t end = begin;
-            while (end < edges.size() && edges[end].lo == edges[begin].lo && edges[end].hi == edges[begin].hi)
+            while (end < edges.size() && edges[end].lo == edges[begin].lo &&
+                   edges[end].hi == edges[begin].hi) {
                 ++end;
+            }
             linkEdges(std::span(edges).subspan(begin, end - begin));
             begin = end;
         }
@@ -181,18 +188,23 @@ class TangentSpace {
         while (!pending.empty()) {
             const std::uint32_t index = pending.back();
             pending.pop_back();
-            if (index == kNone)
+            if (index == kNone) {
                 continue;
+            }
             Face& face = faces_[index];
             std::uint32_t corner = 0;
-            while (corner < 2 && vertex(index, corner) != center)
+            while (corner < 2 && vertex(index, corner) != center) {
                 ++corner;
-            if (face.grouped[corner])
+            }
+            if (face.grouped[corner]) {
                 continue;
-            if (face.joinsAny && face.grouped == std::array<bool, 3>{false, false, false})
+            }
+            if (face.joinsAny && face.grouped == std::array<bool, 3>{false, false, false}) {
                 face.turnsLikeTexture = turns;
-            if (face.turnsLikeTexture != turns)
+            }
+            if (face.turnsLikeTexture != turns) {
                 continue;
+            }
             face.grouped[corner] = true;
             group.push_back({index, corner});
             pending.push_back(face.neighbor[(corner + 2) % 3]);
@@ -207,8 +219,9 @@ class TangentSpace {
         glm::vec3 sum(0.0f);
         for (const auto [index, corner] : group) {
             const Face& face = faces_[index];
-            if (face.joinsAny)
+            if (face.joinsAny) {
                 continue;
+            }
             const TangentCorner& c = at(index, corner);
             const glm::vec3 before = inPlane(at(index, (corner + 2) % 3).position - c.position, c.normal);
             const glm::vec3 after = inPlane(at(index, (corner + 1) % 3).position - c.position, c.normal);
@@ -216,10 +229,12 @@ class TangentSpace {
             sum += inPlane(face.alongS, c.normal) * std::acos(cosine);
         }
         glm::vec3 tangent = normalized(sum);
-        if (!(glm::dot(tangent, tangent) > 0.0f)) // zero or NaN
+        if (!(glm::dot(tangent, tangent) > 0.0f)) { // zero or NaN
             tangent = glm::vec3(1.0f, 0.0f, 0.0f);
-        for (const auto [index, corner] : group)
+        }
+        for (const auto [index, corner] : group) {
             tangents_[3 * index + corner] = glm::vec4(tangent, faces_[index].turnsLikeTexture ? 1.0f : -1.0f);
+        }
     }
 
     // Degenerate triangles take the tangents of a non-degenerate triangle at the same vertex.
@@ -227,13 +242,15 @@ class TangentSpace {
         // Vertex to its first corner in a non-degenerate triangle.
         std::unordered_map<std::uint32_t, std::uint32_t> sound;
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-            if (!isDegenerate(i / 3))
+            if (!isDegenerate(i / 3)) {
                 sound.try_emplace(vertices_[i], i);
+            }
         }
         for (std::uint32_t i = 0; i < corners_.size(); ++i) {
             const auto found = isDegenerate(i / 3) ? sound.find(vertices_[i]) : sound.end();
-            if (found != sound.end())
+            if (found != sound.end()) {
                 tangents_[i] = tangents_[found->second];
+            }
         }
     }
 

@@ -33,8 +33,9 @@ Image everyChannel() {
                              std::numeric_limits<float>::denorm_min(),
                              16777215.0f,
                              1.0f / 3.0f};
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = i % 3 == 0 ? special[i % std::size(special)] : static_cast<float>(i);
+    }
     return image;
 }
 
@@ -48,8 +49,9 @@ Image flat(std::vector<std::string> channels, std::vector<float> values) {
 std::vector<int> bytesOf(const Image& image) {
     std::vector<int> bytes;
     bytes.reserve(image.pixels.size());
-    for (const float value : image.pixels)
+    for (const float value : image.pixels) {
         bytes.push_back(static_cast<int>(std::lround(value * 255.0f)));
+    }
     return bytes;
 }
 
@@ -65,11 +67,13 @@ TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
     for (std::size_t channel = 0; channel < written.channels.size(); ++channel) {
         const auto found = read.findChannel(written.channels[channel]);
         ASSERT_TRUE(found) << written.channels[channel];
-        for (int y = 0; y < written.height; ++y)
-            for (int x = 0; x < written.width; ++x)
+        for (int y = 0; y < written.height; ++y) {
+            for (int x = 0; x < written.width; ++x) {
                 ASSERT_EQ(std::bit_cast<std::uint32_t>(read.at(x, y, *found)),
                           std::bit_cast<std::uint32_t>(written.at(x, y, channel)))
                     << written.channels[channel] << " at " << x << "," << y;
+            }
+        }
     }
     EXPECT_EQ(folder.fileCount(), 1u) << "a temporary file stayed";
 }
@@ -92,9 +96,10 @@ TEST(ImageFile, ExrKeepsTheAttributes) {
                         {"metamarch/scene", "Grüße.glb"}};
     writeImage(image, folder / "a.exr");
     const Image read = readImage(folder / "a.exr");
-    for (const auto& attribute : image.attributes)
+    for (const auto& attribute : image.attributes) {
         EXPECT_NE(std::find(read.attributes.begin(), read.attributes.end(), attribute), read.attributes.end())
             << attribute.first;
+    }
 }
 
 TEST(ImageFile, PngIsToneMapped) {
@@ -171,8 +176,9 @@ TEST(ImageFile, AFullDiskKeepsTheFormerPicture) {
             const FileSizeLimit limit(1500);
             const std::string line = lineOfError(ErrorKind::outputNotWritable, [&] {
                 Image noise(100, 100, {"R", "G", "B"});
-                for (std::size_t i = 0; i < noise.pixels.size(); ++i)
+                for (std::size_t i = 0; i < noise.pixels.size(); ++i) {
                     noise.pixels[i] = static_cast<float>(i * 7919 % 10007) / 10007.0f;
+                }
                 writeImage(noise, folder / name);
             });
             EXPECT_EQ(line, "cannot write " + (folder / name).string() + ": File too large");
@@ -204,8 +210,9 @@ TEST(ImageFile, ReadsTiles) {
     spec.tile_width = 16;
     spec.tile_height = 32;
     Image image(70, 67, spec.channelnames);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = static_cast<float>(i);
+    }
     const auto output = OIIO::ImageOutput::create("exr");
     ASSERT_TRUE(output->open((folder / "a.exr").string(), spec));
     ASSERT_TRUE(output->write_image(OIIO::TypeFloat, image.pixels.data()));

@@ -36,8 +36,9 @@ TEST(ToneMapping, ClampsWhatAScreenCannotShow) {
 }
 
 TEST(ToneMapping, NeverFallsAsLightGrows) {
-    for (int step = 1; step <= 100000; ++step)
+    for (int step = 1; step <= 100000; ++step) {
         ASSERT_LE(toSrgb8(static_cast<float>(step - 1) * 1e-5f), toSrgb8(static_cast<float>(step) * 1e-5f));
+    }
 }
 
 TEST(ToneMapping, AlphaIsLinear) {
@@ -69,8 +70,9 @@ TEST(ToneOperators, NoneCutsOff) {
 TEST(ToneOperators, NeutralShowsBaseColours) {
     for (float r = 0.04f; r < 0.759f; r += 0.09f) {
         for (float g = 0.04f; g < 0.759f; g += 0.09f) {
-            for (float b = 0.04f; b < 0.759f; b += 0.09f)
+            for (float b = 0.04f; b < 0.759f; b += 0.09f) {
                 expectColor(kNeutral, glm::vec3(r, g, b) + 0.04f, {r, g, b});
+            }
         }
     }
 }
@@ -123,9 +125,10 @@ TEST_P(EveryToneOperator, ShowsEveryColourBetweenBlackAndWhite) {
         for (const float g : values) {
             for (const float b : values) {
                 const glm::vec3 shown = toneMapped(mapping, {r, g, b});
-                for (int channel = 0; channel < 3; ++channel)
+                for (int channel = 0; channel < 3; ++channel) {
                     ASSERT_TRUE(shown[channel] >= 0.0f && shown[channel] <= 1.0f)
                         << r << "," << g << "," << b << " became " << shown[channel];
+                }
             }
         }
     }

@@ -85,8 +85,9 @@ TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
     }
     for (const glm::vec3& everywhere : {glm::vec3(-1.0f), glm::vec3(0.5f, -1.0f, 0.5f), glm::vec3(-1e-30f)}) {
         std::vector<float> pixels;
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 8; ++i) {
             pixels.insert(pixels.end(), {everywhere.r, everywhere.g, everywhere.b});
+        }
         const std::filesystem::path file = writeExr({"R", "G", "B"}, pixels, 4);
         expectError(ErrorKind::inputRefused, ": texel 0,0 has a radiance of ",
                     [&] { loadEnvironment(file); });
@@ -113,12 +114,14 @@ TEST_F(EnvironmentTest, UndershootBesideBrighterLightBecomesBlack) {
     const std::size_t width = 16;
     std::vector<float> pixels(width * 3, 0.0f);
     for (std::size_t y = 0; y < 3; ++y) {
-        for (std::size_t i = 0; i < lobes.size(); ++i)
+        for (std::size_t i = 0; i < lobes.size(); ++i) {
             pixels[y * width + (i + 14) % width] = (y == 1 ? 1.0f : -0.2f) * lobes[i];
+        }
     }
     const Environment sky = loadEnvironment(writeExr({"Y"}, pixels, width));
-    for (std::size_t i = 0; i < pixels.size(); ++i)
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
         EXPECT_EQ(sky.texels[i], glm::vec3(std::max(pixels[i], 0.0f))) << i;
+    }
     EXPECT_EQ(sky.warnings.size(), 1u);
     // Far from the light, the same negative value is no undershoot.
     pixels[width + 8] = -0.1351f;
@@ -139,8 +142,9 @@ TEST_F(EnvironmentTest, UnreadableOnesAreNamed) {
 
 TEST(SharedScenes, Environments) {
     const auto folder = tests::sharedScenes();
-    if (!folder)
+    if (!folder) {
         return;
+    }
     const Environment venice =
         // Was scaled with a filter that undershoots deeply.
         loadEnvironment(*folder / "hdr/pmndrs-venice.exr");

@@ -27,8 +27,9 @@ int addAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::
     draco::PointAttribute attribute;
     attribute.Init(type, 3, dataType, false, mesh.num_points());
     attribute.SetIdentityMapping();
-    for (draco::AttributeValueIndex i(0); i < mesh.num_points(); ++i)
+    for (draco::AttributeValueIndex i(0); i < mesh.num_points(); ++i) {
         attribute.SetAttributeValue(i, values + 3 * i.value());
+    }
     return mesh.AddAttribute(std::make_unique<draco::PointAttribute>(std::move(attribute)));
 }
 
@@ -132,8 +133,9 @@ TEST(GltfDraco, HostileBytes) {
             ++refused;
         }
     };
-    for (std::size_t size = 0; size < file.bytes.size(); ++size)
+    for (std::size_t size = 0; size < file.bytes.size(); ++size) {
         load({file.bytes.begin(), file.bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+    }
     EXPECT_EQ(refused, file.bytes.size());
     for (std::size_t i = 0; i < file.bytes.size(); ++i) {
         std::vector<char> bytes = file.bytes;
@@ -149,8 +151,9 @@ class MeshoptFile : public GltfFile {
   public:
     MeshoptFile() {
         std::vector<float> vertices;
-        for (const glm::vec3& p : kPositions)
+        for (const glm::vec3& p : kPositions) {
             vertices.insert(vertices.end(), {p.x, p.y, p.z, 0});
+        }
         vertexBytes.resize(meshopt_encodeVertexBufferBound(4, 16));
         vertexBytes.resize(
             meshopt_encodeVertexBuffer(vertexBytes.data(), vertexBytes.size(), vertices.data(), 4, 16));

@@ -11,8 +11,9 @@ namespace metamarch {
 
 std::filesystem::path GltfFile::write(const std::string& name) {
     nlohmann::json written = root;
-    if (!root.contains("buffers") && !bytes_.empty())
+    if (!root.contains("buffers") && !bytes_.empty()) {
         written["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", bytes_.size()}}};
+    }
     writeFile(folder / "scene.bin", std::string(bytes_.begin(), bytes_.end()));
     writeFile(folder / name, written.dump());
     return folder / name;

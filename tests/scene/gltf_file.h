@@ -32,8 +32,9 @@ class GltfFile {
     int addView(const std::vector<T>& numbers) {
         const std::size_t offset = bytes_.size();
         bytes_.resize(offset + numbers.size() * sizeof(T));
-        if (!numbers.empty())
+        if (!numbers.empty()) {
             std::memcpy(bytes_.data() + offset, numbers.data(), numbers.size() * sizeof(T));
+        }
         root["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", numbers.size() * sizeof(T)}});
         bytes_.resize((bytes_.size() + 3) / 4 * 4);

@@ -39,8 +39,9 @@ TEST(GltfGeometry, StripTurnsEveryOtherTriangle) {
     file.primitive()["mode"] = 5;
     const Scene scene = file.load();
     EXPECT_EQ(scene.triangles, Triangles({{0, 1, 2}, {1, 3, 2}, {2, 3, 4}}));
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_GT(front(scene, i).z, 0.0f);
+    }
 }
 
 TEST(GltfGeometry, IndexedFan) {
@@ -267,8 +268,9 @@ TEST(GltfGeometry, HierarchyAsDeepAsItLikes) {
     TriangleFile file;
     constexpr int kDepth = 20000;
     Json nodes = Json::array();
-    for (int i = 0; i < kDepth; ++i)
+    for (int i = 0; i < kDepth; ++i) {
         nodes.push_back({{"children", {i + 1}}, {"translation", {0, 0, 1}}});
+    }
     nodes.push_back({{"mesh", 0}});
     file.root["nodes"] = nodes;
     EXPECT_EQ(file.load().positions[0].z, static_cast<float>(kDepth));

@@ -49,8 +49,9 @@ TEST(GltfMaterial, DefaultsAreTheSpecifications) {
     EXPECT_EQ(material.sheenColorFactor, glm::vec3(0));
     EXPECT_EQ(material.iridescenceIor, 1.3f);
     EXPECT_EQ(material.iridescenceThicknessMaximum, 400.0f);
-    for (const TextureRef* ref : texturesOf(const_cast<Material&>(material)))
+    for (const TextureRef* ref : texturesOf(const_cast<Material&>(material))) {
         EXPECT_EQ(ref->texture, kNoTexture);
+    }
 }
 
 TEST(GltfMaterial, CoreFactorsAndTextures) {

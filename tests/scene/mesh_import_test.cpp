@@ -161,8 +161,9 @@ TEST_F(MeshImport, ProseIsNoMesh) {
     EXPECT_EQ(refusal("a.ply", prose), "not PLY: does not start with 'ply'");
     EXPECT_EQ(refusal("a.off", prose), "not OFF: does not start with 'OFF'");
     EXPECT_TRUE(refusal("a.stl", prose).starts_with("not stl: "));
-    for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"})
+    for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
         EXPECT_EQ(refusal(name, ""), "the file is empty");
+    }
 }
 
 TEST_F(MeshImport, OtherFormatsUnderAMeshEnding) {

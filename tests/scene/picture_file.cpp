@@ -12,8 +12,9 @@ std::uint32_t crc(const std::string& bytes) {
     std::uint32_t sum = 0xffffffffu;
     for (const char c : bytes) {
         sum ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit)
+        for (int bit = 0; bit < 8; ++bit) {
             sum = (sum & 1) != 0 ? 0xedb88320u ^ (sum >> 1) : sum >> 1;
+        }
     }
     return ~sum;
 }
@@ -48,8 +49,9 @@ std::string fromBase64(const std::string& text) {
     std::uint32_t bits = 0;
     int count = 0;
     for (const char c : text) {
-        if (c == '=')
+        if (c == '=') {
             break;
+        }
         bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
         count += 6;
         if (count >= 8) {
@@ -69,9 +71,10 @@ std::string pngFile(std::uint32_t width, std::uint32_t height, int channels,
     header += {static_cast<char>(bitsPerSample), kColorTypes[channels], 0, 0, 0};
     const std::size_t row = samples.size() / height;
     std::string rows;
-    for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t y = 0; y < height; ++y) {
         rows += '\0' + std::string(samples.begin() + static_cast<std::ptrdiff_t>(y * row),
                                    samples.begin() + static_cast<std::ptrdiff_t>((y + 1) * row));
+    }
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
 }
 
@@ -98,10 +101,12 @@ std::string base64(const std::string& bytes) {
     std::string text;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t bits = 0;
-        for (std::size_t k = i; k < i + 3; ++k)
+        for (std::size_t k = i; k < i + 3; ++k) {
             bits = bits << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0);
-        for (std::size_t k = 0; k < 4; ++k)
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
             text += i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63];
+        }
     }
     return text;
 }

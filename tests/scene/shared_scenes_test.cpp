@@ -35,12 +35,14 @@ std::map<std::string, Counts> table(const std::filesystem::path& folder) {
         std::getline(cells, vertices, '|');
         std::getline(cells, triangles, '|');
         if (std::istringstream number(vertices);
-            file.find('/') != std::string::npos && number >> rows[file].vertices)
+            file.find('/') != std::string::npos && number >> rows[file].vertices) {
             rows[file].triangles = std::stoul(triangles);
+        }
     }
     std::map<std::string, Counts> trimmed;
-    for (const auto& [file, counts] : rows)
+    for (const auto& [file, counts] : rows) {
         trimmed[file.substr(1, file.size() - 2)] = counts;
+    }
     return trimmed;
 }
 
@@ -85,8 +87,9 @@ const std::map<std::string, std::string> kRefused = {
 
 TEST(SharedScenes, CountsAreThoseOfTheTable) {
     const auto folder = tests::sharedScenes();
-    if (!folder)
+    if (!folder) {
         return;
+    }
     const std::map<std::string, Counts> rows = table(*folder);
     EXPECT_GE(rows.size(), 80u);
     for (const auto& [file, counts] : rows) {
@@ -108,8 +111,9 @@ TEST(SharedScenes, CountsAreThoseOfTheTable) {
 
 TEST(SharedScenes, BrokenNormalsAreReported) {
     const auto folder = tests::sharedScenes();
-    if (!folder)
+    if (!folder) {
         return;
+    }
     const Scene scene = loadScene(*folder / "gltf/malformed/BoxBadNormals.glb");
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(scene.warnings[0].ends_with(
@@ -118,8 +122,9 @@ TEST(SharedScenes, BrokenNormalsAreReported) {
 
 TEST(SharedScenes, CamerasOfTheFile) {
     const auto folder = tests::sharedScenes();
-    if (!folder)
+    if (!folder) {
         return;
+    }
     const Scene scene = loadScene(*folder / "gltf/Cameras/Cameras.gltf");
     ASSERT_EQ(scene.cameras.size(), 2u);
     EXPECT_EQ(scene.cameras[0].projection, SceneCamera::Projection::perspective);

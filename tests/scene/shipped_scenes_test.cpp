@@ -16,8 +16,9 @@ std::size_t contradictions(const Scene& scene) {
     for (const glm::uvec3& corner : scene.triangles) {
         const glm::vec3 front = glm::cross(scene.positions[corner.y] - scene.positions[corner.x],
                                            scene.positions[corner.z] - scene.positions[corner.x]);
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
             count += glm::dot(front, scene.normals[corner[i]]) > 0.0f ? 0 : 1;
+        }
     }
     return count;
 }

@@ -26,18 +26,21 @@ void expectTangent(const glm::vec4& found, const glm::vec3& direction, float sig
 
 TEST(TangentSpace, FollowsS) {
     for (const glm::vec4& tangent :
-         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1)}))
+         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1)})) {
         expectTangent(tangent, {1, 0, 0}, 1.0f);
+    }
     // A quarter turn in texture space: s grows with y.
     for (const glm::vec4& tangent :
-         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 0, -1), corner(0, 1, 1, 0)}))
+         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, 0, -1), corner(0, 1, 1, 0)})) {
         expectTangent(tangent, {0, 1, 0}, 1.0f);
+    }
 }
 
 TEST(TangentSpace, MirroredTextureHasTheOtherSign) {
     for (const glm::vec4& tangent :
-         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, -1, 0), corner(0, 1, 0, 1)}))
+         mikkTangents(Corners{corner(0, 0, 0, 0), corner(1, 0, -1, 0), corner(0, 1, 0, 1)})) {
         expectTangent(tangent, {-1, 0, 0}, -1.0f);
+    }
 }
 
 // Two triangles at the corner (0,0), with angles of 90 and 45 degrees, whose tangents are (1,0) and (1,1) /
@@ -60,10 +63,12 @@ TEST(TangentSpace, MirrorSeamKeepsItsSidesApart) {
     const Corners corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1),
                              corner(0, 0, 0, 0), corner(0, 1, 0, 1), corner(-1, 0, 1, 0)};
     const std::vector<glm::vec4> tangents = mikkTangents(corners);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
         expectTangent(tangents[i], {1, 0, 0}, 1.0f);
-    for (std::size_t i = 3; i < 6; ++i)
+    }
+    for (std::size_t i = 3; i < 6; ++i) {
         expectTangent(tangents[i], {-1, 0, 0}, -1.0f);
+    }
 }
 
 // Triangles that share only a corner, or an edge with different normals, are not averaged.
@@ -77,8 +82,9 @@ TEST(TangentSpace, OnlyEdgesOfEqualCornersConnect) {
 
     corners = {corner(0, 0, 0, 0), corner(1, 0, 1, 0), corner(0, 1, 0, 1),
                corner(0, 0, 0, 0), corner(0, 1, 0, 1), corner(-1, 1, -1, 2)};
-    for (std::size_t i = 3; i < 6; ++i)
+    for (std::size_t i = 3; i < 6; ++i) {
         corners[i].normal = {0, diagonal, diagonal};
+    }
     tangents = mikkTangents(corners);
     expectTangent(tangents[0], {1, 0, 0}, 1.0f);
 }
@@ -200,8 +206,9 @@ TEST(SceneTangents, FirstPrimitiveThatHasThemPadsTheOthers) {
 // The tangents that exporters with Mikkelsen's own code wrote, corner by corner.
 TEST(SharedScenes, TangentsAreThoseOfOtherPrograms) {
     const auto folder = tests::sharedScenes();
-    if (!folder)
+    if (!folder) {
         return;
+    }
     for (const char* name :
          {"AlphaBlendModeTest.glb", "AnisotropyStrengthTest.glb", "SheenCloth/SheenCloth.gltf"}) {
         const Scene scene = loadScene(*folder / "gltf" / name);

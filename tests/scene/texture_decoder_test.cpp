@@ -93,8 +93,9 @@ TEST(TextureDecoder, CutOffAnywhere) {
     };
     for (const std::string& file : files) {
         // The last marker of a JPEG and the padding of a WebP carry no data.
-        for (std::size_t size = 0; size + 4 < file.size(); ++size)
+        for (std::size_t size = 0; size + 4 < file.size(); ++size) {
             EXPECT_NE(failure(file.substr(0, size)), "nothing failed") << size << " of " << file.size();
+        }
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }

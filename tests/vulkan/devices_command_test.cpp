@@ -22,8 +22,9 @@ std::string output(const bool isJson) {
 
 TEST(DevicesCommand, namesEachDeviceAndMarksOne) {
     const std::string text = output(false);
-    for (const vulkan::DeviceReport& report : vulkan::reportDevices(vulkan::testContext()))
+    for (const vulkan::DeviceReport& report : vulkan::reportDevices(vulkan::testContext())) {
         EXPECT_NE(text.find(report.name), std::string::npos) << text;
+    }
     EXPECT_NE(text.find("* "), std::string::npos) << text;
     EXPECT_NE(text.find("maxStorageBufferRange"), std::string::npos) << text;
     EXPECT_NE(text.find("ray queries"), std::string::npos) << text;

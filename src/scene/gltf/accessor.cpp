@@ -70,32 +70,39 @@ bool isUnsignedInteger(int componentType) {
 GltfAccessor::GltfAccessor(const tinygltf::Model& model, const InputFile& file, const std::string& label,
                            int accessor, int type)
     : file_(file), label_(label + ": accessor " + std::to_string(accessor)) {
-    if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size())
+    if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size()) {
         file_.refuse(label_ + " does not exist, there are " + std::to_string(model.accessors.size()));
+    }
     const tinygltf::Accessor& source = model.accessors[static_cast<std::size_t>(accessor)];
     count_ = source.count;
     componentType_ = source.componentType;
     componentSize_ = sizeOfComponent(componentType_);
     normalized_ = source.normalized;
-    if (componentSize_ == 0)
+    if (componentSize_ == 0) {
         refuse("component type " + std::to_string(componentType_) + " is not one of glTF 2.0");
-    if (source.type != type)
+    }
+    if (source.type != type) {
         refuse("has elements of the wrong type for this use");
-    if (count_ == 0)
+    }
+    if (count_ == 0) {
         refuse("is empty");
-    if (count_ > kMaxElements)
+    }
+    if (count_ > kMaxElements) {
         refuse("count " + std::to_string(count_) + " is absurd");
+    }
     elementSize_ = componentSize_ * static_cast<std::uint64_t>(
                                         tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type)));
 
-    if (source.bufferView >= 0)
+    if (source.bufferView >= 0) {
         dense_ = checkedSpan(model, source.bufferView, source.byteOffset, count_, elementSize_);
-    else if (!source.sparse.isSparse)
+    } else if (!source.sparse.isSparse) {
         refuse("has no data");
-    else if (count_ > kMaxImpliedElements)
+    } else if (count_ > kMaxImpliedElements) {
         refuse("count " + std::to_string(count_) + " is absurd without a buffer view");
-    if (source.sparse.isSparse)
+    }
+    if (source.sparse.isSparse) {
         readSparse(model, source);
+    }
 }
 
 bool GltfAccessor::hasUnsignedIntegers() const { return isUnsignedInteger(componentType_); }
@@ -106,30 +113,36 @@ GltfAccessor::Span GltfAccessor::checkedSpan(const tinygltf::Model& model, int v
     const std::span<const unsigned char> bytes = bytesOfView(model, file_, label_, view);
     const tinygltf::BufferView& source = model.bufferViews[static_cast<std::size_t>(view)];
     const std::uint64_t stride = source.byteStride == 0 ? elementSize : source.byteStride;
-    if (stride < elementSize)
+    if (stride < elementSize) {
         refuse(viewLabel + ": stride " + std::to_string(stride) + " is less than an element of " +
                std::to_string(elementSize) + " bytes");
+    }
     // The view's length is at most the size of a real buffer. Count and offset may be anything, so divide
     // rather than multiply: that cannot wrap around.
     if (offset > bytes.size() || bytes.size() - offset < elementSize ||
-        (bytes.size() - offset - elementSize) / stride < count - 1)
+        (bytes.size() - offset - elementSize) / stride < count - 1) {
         refuse(viewLabel + ": " + std::to_string(count) + " elements at offset " + std::to_string(offset) +
                " with stride " + std::to_string(stride) + " reach past its " + std::to_string(bytes.size()) +
                " bytes");
+    }
     return {bytes.data() + offset, stride};
 }
 
 void GltfAccessor::readSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor) {
     const auto& sparse = accessor.sparse;
-    if (sparse.count < 0 || static_cast<std::uint64_t>(sparse.count) > count_)
+    if (sparse.count < 0 || static_cast<std::uint64_t>(sparse.count) > count_) {
         refuse("sparse count " + std::to_string(sparse.count) + " is more than its count " +
                std::to_string(count_));
-    if (sparse.count == 0)
+    }
+    if (sparse.count == 0) {
         return;
-    if (!isUnsignedInteger(sparse.indices.componentType))
+    }
+    if (!isUnsignedInteger(sparse.indices.componentType)) {
         refuse("sparse indices have component type " + std::to_string(sparse.indices.componentType));
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+    }
+    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
         refuse("sparse offset is negative");
+    }
 
     const std::uint64_t replaced = static_cast<std::uint64_t>(sparse.count);
     const Span indices =
@@ -141,26 +154,30 @@ void GltfAccessor::readSparse(const tinygltf::Model& model, const tinygltf::Acce
     for (std::uint64_t i = 0; i < replaced; ++i) {
         const std::uint32_t index =
             loadIndex(indices.data + i * indices.stride, sparse.indices.componentType);
-        if (index >= count_)
+        if (index >= count_) {
             refuse("sparse index " + std::to_string(index) + " is out of range, the count is " +
                    std::to_string(count_));
-        if (!sparseIndices_.empty() && index <= sparseIndices_.back())
+        }
+        if (!sparseIndices_.empty() && index <= sparseIndices_.back()) {
             refuse("sparse indices do not increase at " + std::to_string(i));
+        }
         sparseIndices_.push_back(index);
     }
 }
 
 const unsigned char* GltfAccessor::element(std::uint64_t i) const {
     const auto replaced = std::lower_bound(sparseIndices_.begin(), sparseIndices_.end(), i);
-    if (replaced != sparseIndices_.end() && *replaced == i)
+    if (replaced != sparseIndices_.end() && *replaced == i) {
         return sparse_.data + static_cast<std::uint64_t>(replaced - sparseIndices_.begin()) * sparse_.stride;
+    }
     return dense_.data != nullptr ? dense_.data + i * dense_.stride : nullptr;
 }
 
 double GltfAccessor::component(std::uint64_t i, int c) const {
     const unsigned char* bytes = element(i);
-    if (bytes == nullptr)
+    if (bytes == nullptr) {
         return 0.0;
+    }
     bytes += static_cast<std::uint64_t>(c) * componentSize_;
     switch (componentType_) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -185,8 +202,9 @@ glm::dvec4 GltfAccessor::vec4(std::uint64_t i) const {
 glm::dmat4 GltfAccessor::mat4(std::uint64_t i) const {
     glm::dmat4 matrix;
     for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row)
+        for (int row = 0; row < 4; ++row) {
             matrix[column][row] = component(i, 4 * column + row);
+        }
     }
     return matrix;
 }

@@ -18,12 +18,15 @@ enum class Interpolation { linear, step, cubicSpline };
 
 Interpolation readInterpolation(const GltfElement& sampler) {
     const std::string name = sampler.text("interpolation", "LINEAR");
-    if (name == "LINEAR")
+    if (name == "LINEAR") {
         return Interpolation::linear;
-    if (name == "STEP")
+    }
+    if (name == "STEP") {
         return Interpolation::step;
-    if (name == "CUBICSPLINE")
+    }
+    if (name == "CUBICSPLINE") {
         return Interpolation::cubicSpline;
+    }
     sampler.refuse("interpolation '" + name + "' is none of LINEAR, STEP, CUBICSPLINE");
 }
 
@@ -48,38 +51,45 @@ class Track {
                                     : TINYGLTF_TYPE_VEC3) {
         for (std::uint64_t i = 0; i < input_.count(); ++i) {
             times_.push_back(input_.scalar(i));
-            if (!std::isfinite(times_[i]) || (i > 0 && times_[i] <= times_[i - 1]))
+            if (!std::isfinite(times_[i]) || (i > 0 && times_[i] <= times_[i - 1])) {
                 sampler.refuse("the times do not increase at " + std::to_string(i));
+            }
         }
         const std::uint64_t values = times_.size() * valuesOfKey();
         elementsOfValue_ = path == "weights" ? output_.count() / values : 1;
         components_ = path == "weights" ? 1 : isRotation_ ? 4 : 3;
-        if (elementsOfValue_ == 0 || output_.count() != values * elementsOfValue_)
+        if (elementsOfValue_ == 0 || output_.count() != values * elementsOfValue_) {
             sampler.refuse(std::to_string(times_.size()) + " times, but " + std::to_string(output_.count()) +
                            " values");
+        }
     }
 
     Value at(double seconds) const {
         const auto after = std::ranges::upper_bound(times_, seconds);
-        if (after == times_.begin())
+        if (after == times_.begin()) {
             return key(0);
+        }
         const auto last = static_cast<std::size_t>(after - times_.begin()) - 1;
-        if (after == times_.end() || interpolation_ == Interpolation::step)
+        if (after == times_.end() || interpolation_ == Interpolation::step) {
             return key(last);
+        }
         const double duration = times_[last + 1] - times_[last];
         const double t = (seconds - times_[last]) / duration;
-        if (interpolation_ == Interpolation::cubicSpline)
+        if (interpolation_ == Interpolation::cubicSpline) {
             return spline(last, t, duration);
-        if (isRotation_)
+        }
+        if (isRotation_) {
             return toValue(glm::slerp(toQuaternion(key(last)), toQuaternion(key(last + 1)), t));
+        }
         return sum({{1.0 - t, key(last)}, {t, key(last + 1)}});
     }
 
   private:
     static int required(const GltfElement& sampler, const char* name) {
         const std::optional<int> accessor = sampler.integer(name);
-        if (!accessor)
+        if (!accessor) {
             sampler.refuse(std::string("has no ") + name);
+        }
         return *accessor;
     }
 
@@ -93,8 +103,9 @@ class Track {
     Value element(std::uint64_t value) const {
         Value numbers;
         for (std::uint64_t i = 0; i < elementsOfValue_; ++i) {
-            for (int c = 0; c < components_; ++c)
+            for (int c = 0; c < components_; ++c) {
                 numbers.push_back(output_.component(value * elementsOfValue_ + i, c));
+            }
         }
         return numbers;
     }
@@ -112,8 +123,9 @@ class Track {
     static Value sum(const std::vector<std::pair<double, Value>>& terms) {
         Value total(terms.front().second.size(), 0.0);
         for (const auto& [weight, value] : terms) {
-            for (std::size_t i = 0; i < total.size(); ++i)
+            for (std::size_t i = 0; i < total.size(); ++i) {
                 total[i] += weight * value[i];
+            }
         }
         return total;
     }
@@ -129,22 +141,27 @@ class Track {
 
 std::vector<GltfElement> selectAnimations(const std::vector<GltfElement>& animations,
                                           const std::string& selection) {
-    if (selection.empty())
+    if (selection.empty()) {
         return animations;
+    }
     std::vector<std::string> names;
-    for (const GltfElement& animation : animations)
+    for (const GltfElement& animation : animations) {
         names.push_back(animation.text("name"));
+    }
     return {animations[chooseIndex("animation", names, selection)]};
 }
 
 // Returns null for a property that core glTF 2.0 cannot animate.
 Value* property(tinygltf::Node& node, const std::string& path) {
-    if (path == "translation")
+    if (path == "translation") {
         return &node.translation;
-    if (path == "rotation")
+    }
+    if (path == "rotation") {
         return &node.rotation;
-    if (path == "scale")
+    }
+    if (path == "scale") {
         return &node.scale;
+    }
     return path == "weights" ? &node.weights : nullptr;
 }
 
@@ -160,11 +177,13 @@ void play(GltfDocument& document, InputFile& file, const GltfElement& animation,
             file.warn(channel.label() + ": path '" + path + "' is not animated");
             continue;
         }
-        if (!document.model.nodes[static_cast<std::size_t>(*node)].matrix.empty())
+        if (!document.model.nodes[static_cast<std::size_t>(*node)].matrix.empty()) {
             channel.refuse("node " + std::to_string(*node) + " has a matrix, which cannot be animated");
+        }
         const std::optional<int> sampler = channel.index("sampler", "sampler", samplers.size());
-        if (!sampler)
+        if (!sampler) {
             channel.refuse("has no sampler");
+        }
         *value = Track(document, file, samplers[static_cast<std::size_t>(*sampler)], path).at(seconds);
     }
 }
@@ -174,10 +193,12 @@ void play(GltfDocument& document, InputFile& file, const GltfElement& animation,
 void poseNodes(GltfDocument& document, InputFile& file, const std::string& animation, double seconds) {
     const std::vector<GltfElement> animations =
         GltfElement(file, "", &document.json).objects("animations", "animation");
-    for (const GltfElement& selected : selectAnimations(animations, animation))
+    for (const GltfElement& selected : selectAnimations(animations, animation)) {
         play(document, file, selected, seconds);
-    if (animations.empty())
+    }
+    if (animations.empty()) {
         file.warn("there is no animation, it looks the same at any time");
+    }
 }
 
 double animationSeconds(const GltfDocument& document) {
@@ -187,8 +208,9 @@ double animationSeconds(const GltfDocument& document) {
         for (const tinygltf::AnimationSampler& sampler : animation.samplers) {
             const auto input = static_cast<std::size_t>(sampler.input);
             if (sampler.input >= 0 && input < accessors.size() && !accessors[input].maxValues.empty() &&
-                std::isfinite(accessors[input].maxValues[0]))
+                std::isfinite(accessors[input].maxValues[0])) {
                 last = std::max(last, accessors[input].maxValues[0]);
+            }
         }
     }
     return last;

@@ -10,21 +10,24 @@ namespace {
 // Returns nothing for a vector that has no direction.
 std::optional<glm::dvec3> direction(const glm::dvec3& v) {
     const double length = glm::length(v);
-    if (!std::isfinite(length) || length == 0.0)
+    if (!std::isfinite(length) || length == 0.0) {
         return std::nullopt;
+    }
     return v / length;
 }
 
 bool place(SceneCamera& camera, const glm::dmat4& toWorld) {
     const std::optional<glm::dvec3> forward = direction(-glm::dvec3(toWorld[2]));
     const std::optional<glm::dvec3> upward = direction(glm::dvec3(toWorld[1]));
-    if (!forward || !upward)
+    if (!forward || !upward) {
         return false;
+    }
     // The axes of a sheared node are not orthonormal: keep the view direction and adjust up.
     const std::optional<glm::dvec3> up = direction(*upward - *forward * glm::dot(*forward, *upward));
     camera.eye = glm::vec3(toWorld[3]);
-    if (!up || !std::isfinite(glm::length(glm::dvec3(camera.eye))))
+    if (!up || !std::isfinite(glm::length(glm::dvec3(camera.eye)))) {
         return false;
+    }
     camera.forward = glm::vec3(*forward);
     camera.up = glm::vec3(*up);
     return true;

@@ -43,14 +43,16 @@ bool contains(const std::array<std::string_view, N>& keys, std::string_view key)
 
 Json parseJson(const InputFile& file, const unsigned char* begin, const unsigned char* end) {
     const auto keep = [&file](int depth, Json::parse_event_t event, Json& parsed) {
-        if (depth > kMaxJsonDepth)
+        if (depth > kMaxJsonDepth) {
             file.refuse("JSON is nested more than " + std::to_string(kMaxJsonDepth) + " deep");
+        }
         return event != Json::parse_event_t::key || parsed != "extras";
     };
     try {
         Json root = Json::parse(begin, end, keep);
-        if (!root.is_object())
+        if (!root.is_object()) {
             file.refuse("the JSON is not an object");
+        }
         return root;
     } catch (const Json::exception& failure) {
         file.refuse(std::string("not glTF: ") + failure.what());
@@ -68,25 +70,29 @@ void checkIntegers(const InputFile& file, const Json& value, std::string_view ke
                           where.empty() ? name : where + '.' + name);
         }
     } else if (value.is_array()) {
-        for (std::size_t i = 0; i < value.size(); ++i)
+        for (std::size_t i = 0; i < value.size(); ++i) {
             checkIntegers(file, value[i], key, where + '[' + std::to_string(i) + ']');
+        }
     } else if (isSize || contains(kIndexKeys, key)) {
         const std::uint64_t limit = isSize ? kMaxSize : std::numeric_limits<std::int32_t>::max();
-        if (!value.is_number_unsigned() || value.get<std::uint64_t>() > limit)
+        if (!value.is_number_unsigned() || value.get<std::uint64_t>() > limit) {
             file.refuse(where + ": " + value.dump() + " is not an integer from 0 to " +
                         std::to_string(limit));
+        }
     }
 }
 
 void checkVersion(const InputFile& file, const Json& root) {
     const auto asset = root.find("asset");
     if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
-        !(*asset)["version"].is_string())
+        !(*asset)["version"].is_string()) {
         file.refuse("asset.version is missing");
+    }
     for (const char* key : {"version", "minVersion"}) {
         const std::string version = asset->contains(key) ? (*asset)[key].get<std::string>() : "2.0";
-        if (key == std::string_view("minVersion") ? version != "2.0" : !version.starts_with("2."))
+        if (key == std::string_view("minVersion") ? version != "2.0" : !version.starts_with("2.")) {
             file.refuse("asset." + std::string(key) + ": glTF " + version + " is not supported, glTF 2.0 is");
+        }
     }
 }
 
@@ -97,56 +103,65 @@ std::vector<std::string> extensionNames(const Json& root, const char* key) {
 
 void checkExtensions(InputFile& file, const Json& root) {
     for (const std::string& name : extensionNames(root, "extensionsRequired")) {
-        if (!isSupportedExtension(name))
+        if (!isSupportedExtension(name)) {
             file.refuse("extensionsRequired: " + name + " is not supported");
+        }
     }
     std::string unknown;
     for (const std::string& name : extensionNames(root, "extensionsUsed")) {
-        if (!isSupportedExtension(name))
+        if (!isSupportedExtension(name)) {
             unknown += (unknown.empty() ? "" : ", ") + name;
+        }
     }
-    if (!unknown.empty())
+    if (!unknown.empty()) {
         file.warn("extensionsUsed: ignoring " + unknown);
+    }
 }
 
 // Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for
 // decoded bytes has no URI; it gets a single byte instead.
 void checkBufferUris(const InputFile& file, Json& root) {
     const auto buffers = root.find("buffers");
-    if (buffers == root.end())
+    if (buffers == root.end()) {
         return;
+    }
     for (std::size_t i = 0; i < buffers->size(); ++i) {
         Json& buffer = (*buffers)[i];
         const Json* meshopt = canDecompressMeshopt() ? meshoptExtension(buffer) : nullptr;
-        if (meshopt != nullptr && meshopt->value("fallback", false))
+        if (meshopt != nullptr && meshopt->value("fallback", false)) {
             buffer = {{"byteLength", 1u}, {"uri", "data:application/octet-stream;base64,AA=="}};
-        else if (buffer.contains("uri"))
+        } else if (buffer.contains("uri")) {
             buffer["uri"] =
                 checkedBufferUri(file, "buffer " + std::to_string(i), buffer["uri"].get<std::string>());
+        }
     }
 }
 
 // tinygltf requires the indices of a primitive to have a buffer view even if they are compressed.
 void eraseCompressedIndices(Json& root) {
     const auto meshes = root.find("meshes");
-    if (meshes == root.end())
+    if (meshes == root.end()) {
         return;
+    }
     for (Json& mesh : *meshes) {
         const auto primitives = mesh.find("primitives");
         for (std::size_t i = 0; primitives != mesh.end() && i < primitives->size(); ++i) {
             Json& primitive = primitives->at(i);
-            if (primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer))
+            if (primitive.contains("/extensions/KHR_draco_mesh_compression"_json_pointer)) {
                 primitive.erase("indices");
+            }
         }
     }
 }
 
 void eraseExtensions(Json& value) {
-    if (value.is_object())
+    if (value.is_object()) {
         value.erase("extensions");
+    }
     for (Json& member : value) {
-        if (member.is_structured())
+        if (member.is_structured()) {
             eraseExtensions(member);
+        }
     }
 }
 
@@ -155,11 +170,13 @@ void checkObjects(const InputFile& file, const Json& root) {
     for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
                             "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
         const auto elements = root.find(key);
-        if (elements == root.end())
+        if (elements == root.end()) {
             continue;
+        }
         if (!elements->is_array() || !std::all_of(elements->begin(), elements->end(),
-                                                  [](const Json& element) { return element.is_object(); }))
+                                                  [](const Json& element) { return element.is_object(); })) {
             file.refuse(std::string(key) + " is not an array of objects");
+        }
     }
 }
 
@@ -173,8 +190,9 @@ Json takeElements(Json& root) {
         }
     }
     for (const char* key : kSharedKeys) {
-        if (const auto found = root.find(key); found != root.end())
+        if (const auto found = root.find(key); found != root.end()) {
             elements[key] = *found;
+        }
     }
     return elements;
 }
@@ -199,8 +217,9 @@ GltfDocument readGltf(InputFile& file) {
     std::vector<unsigned char> bytes = file.read();
     const bool binary = isGlb(bytes);
     const ByteRange json = binary ? glbJson(file, bytes) : ByteRange{0, bytes.size()};
-    if (!binary && bytes.size() > std::numeric_limits<std::uint32_t>::max())
+    if (!binary && bytes.size() > std::numeric_limits<std::uint32_t>::max()) {
         file.refuse("a .gltf of more than 4 GiB");
+    }
 
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(readOnlyBeside(file));
@@ -225,8 +244,9 @@ GltfDocument readGltf(InputFile& file) {
         file.refuse(std::string("not glTF: ") + failure.what());
     }
     // tinygltf continues after some errors; after one of them it drops the primitive with the error.
-    if (!parsed || !errors.empty())
+    if (!parsed || !errors.empty()) {
         file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
+    }
     decompressMeshopt(document, file);
     decompressDraco(document, file);
     return document;

@@ -35,8 +35,9 @@ std::optional<std::vector<unsigned char>> valuesOf(const draco::Mesh& mesh,
     std::vector<T> values(components * mesh.num_points());
     for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
         if (!attribute.ConvertValue<T>(attribute.mapped_index(point), attribute.num_components(),
-                                       &values[components * point.value()]))
+                                       &values[components * point.value()])) {
             return std::nullopt;
+        }
     }
     std::vector<unsigned char> bytes(values.size() * sizeof(T));
     std::memcpy(bytes.data(), values.data(), bytes.size());
@@ -73,8 +74,9 @@ class DracoPrimitive {
     void decompress() {
         const std::unique_ptr<draco::Mesh> mesh = decode();
         for (auto& [name, accessor] : primitive_.attributes) {
-            if (const std::optional<int> id = extension_.object("attributes").integer(name.c_str()))
+            if (const std::optional<int> id = extension_.object("attributes").integer(name.c_str())) {
                 accessor = readAttribute(*mesh, name, accessor, *id);
+            }
         }
         primitive_.indices = readIndices(*mesh);
         primitive_.mode = TINYGLTF_MODE_TRIANGLES;
@@ -88,26 +90,31 @@ class DracoPrimitive {
         buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         draco::Decoder decoder;
         auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-        if (!decoded.ok())
+        if (!decoded.ok()) {
             extension_.refuse("cannot be decoded: " + decoded.status().error_msg_string());
+        }
         return std::move(decoded).value();
     }
 
     int readAttribute(const draco::Mesh& mesh, const std::string& name, int accessor, int id) {
         const auto index = static_cast<std::size_t>(accessor);
-        if (accessor < 0 || index >= accessors_)
+        if (accessor < 0 || index >= accessors_) {
             extension_.refuse(name + ": accessor " + std::to_string(accessor) +
                               " does not exist, there are " + std::to_string(accessors_));
+        }
         const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
-        if (attribute == nullptr)
+        if (attribute == nullptr) {
             extension_.refuse(name + ": there is no attribute " + std::to_string(id));
+        }
         tinygltf::Accessor decoded = model_.accessors[index];
         if (attribute->num_components() !=
-            tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(decoded.type)))
+            tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(decoded.type))) {
             extension_.refuse(name + ": accessor " + std::to_string(accessor) + " has another type");
+        }
         std::optional<std::vector<unsigned char>> values = valuesOf(decoded.componentType, mesh, *attribute);
-        if (!values)
+        if (!values) {
             extension_.refuse(name + ": does not fit accessor " + std::to_string(accessor));
+        }
         decoded.bufferView = addView(model_, std::move(*values));
         decoded.byteOffset = 0;
         decoded.count = mesh.num_points();
@@ -149,9 +156,10 @@ void decompressDraco(GltfDocument& document, const InputFile& file) {
     for (std::size_t m = 0; m < meshes.size(); ++m) {
         const std::vector<GltfElement> primitives = meshes[m].objects("primitives", "primitive");
         for (std::size_t p = 0; p < primitives.size(); ++p) {
-            if (const auto extension = primitives[p].extension("KHR_draco_mesh_compression"))
+            if (const auto extension = primitives[p].extension("KHR_draco_mesh_compression")) {
                 DracoPrimitive(model, accessors, file, *extension, model.meshes[m].primitives[p])
                     .decompress();
+            }
         }
     }
 }

@@ -33,8 +33,9 @@ class GltfElement {
     glm::vec<N, double> vector(const char* key, const glm::vec<N, double>& fallback) const {
         glm::vec<N, double> result = fallback;
         const std::vector<double> numbers = vectorOf(key, N);
-        for (std::size_t i = 0; i < numbers.size(); ++i)
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
             result[static_cast<int>(i)] = numbers[i];
+        }
         return result;
     }
 

@@ -32,34 +32,43 @@ bool isGlb(const std::vector<unsigned char>& bytes) {
 }
 
 ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
-    if (bytes.size() < kHeaderSize + kChunkHeaderSize)
+    if (bytes.size() < kHeaderSize + kChunkHeaderSize) {
         file.refuse("GLB header is cut off");
-    if (const std::uint32_t version = loadWord(bytes, 4); version != 2)
+    }
+    if (const std::uint32_t version = loadWord(bytes, 4); version != 2) {
         file.refuse("GLB version " + std::to_string(version) + " is not supported, version 2 is");
+    }
     const std::uint64_t length = loadWord(bytes, kLengthOffset);
-    if (length > bytes.size())
+    if (length > bytes.size()) {
         file.refuse("GLB length " + std::to_string(length) + " is more than the file's " +
                     std::to_string(bytes.size()) + " bytes");
-    if (length < kHeaderSize + kChunkHeaderSize)
+    }
+    if (length < kHeaderSize + kChunkHeaderSize) {
         file.refuse("GLB length " + std::to_string(length) + " leaves no room for a chunk");
+    }
     bytes.resize(length);
 
     const std::uint64_t jsonLength = loadWord(bytes, kHeaderSize);
-    if (loadWord(bytes, kHeaderSize + 4) != kJsonChunk)
+    if (loadWord(bytes, kHeaderSize + 4) != kJsonChunk) {
         file.refuse("GLB chunk 0 is not JSON");
+    }
     const ByteRange json{kHeaderSize + kChunkHeaderSize, kHeaderSize + kChunkHeaderSize + jsonLength};
-    if (json.end > length)
+    if (json.end > length) {
         file.refuse("GLB chunk 0 of " + std::to_string(jsonLength) + " bytes reaches past the GLB length " +
                     std::to_string(length));
-    if (json.end == length)
+    }
+    if (json.end == length) {
         return json;
+    }
 
-    if (length - json.end < kChunkHeaderSize)
+    if (length - json.end < kChunkHeaderSize) {
         file.refuse("GLB chunk 1 header is cut off");
+    }
     const std::uint64_t binaryLength = loadWord(bytes, json.end);
-    if (binaryLength > length - json.end - kChunkHeaderSize)
+    if (binaryLength > length - json.end - kChunkHeaderSize) {
         file.refuse("GLB chunk 1 of " + std::to_string(binaryLength) + " bytes reaches past the GLB length " +
                     std::to_string(length));
+    }
     // Drop later chunks: they belong to extensions that we do not support. The same holds for a second chunk
     // of another type or without content.
     const bool hasBinary = loadWord(bytes, json.end + 4) == kBinChunk && binaryLength > 0;
@@ -71,16 +80,18 @@ void replaceGlbJson(const InputFile& file, std::vector<unsigned char>& bytes, By
                     const std::string& text) {
     const std::size_t padded = (text.size() + 3) / 4 * 4;
     const std::size_t length = bytes.size() - (json.end - json.begin) + padded;
-    if (length > std::numeric_limits<std::uint32_t>::max())
+    if (length > std::numeric_limits<std::uint32_t>::max()) {
         file.refuse("a GLB of more than 4 GiB");
+    }
 
     const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(json.begin);
     const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(json.end);
     const std::size_t old = json.end - json.begin;
-    if (padded <= old)
+    if (padded <= old) {
         bytes.erase(begin + static_cast<std::ptrdiff_t>(padded), end);
-    else
+    } else {
         bytes.insert(end, padded - old, ' ');
+    }
     std::memset(bytes.data() + json.begin, ' ', padded);
     std::memcpy(bytes.data() + json.begin, text.data(), text.size());
     storeWord(bytes, kLengthOffset, length);

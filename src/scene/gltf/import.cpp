@@ -26,11 +26,13 @@ class GltfImporter {
     GltfImporter(const GltfDocument& document, InputFile& file, const ImportOptions& options)
         : document_(document), file_(file), options_(options), root_(file, "", &document.json),
           nodes_(root_.objects("nodes", "node")) {
-        if (const auto lights = root_.extension("KHR_lights_punctual"))
+        if (const auto lights = root_.extension("KHR_lights_punctual")) {
             lights_ = lights->objects("lights", "light");
+        }
         if (const auto variants = root_.extension("KHR_materials_variants")) {
-            for (const GltfElement& variant : variants->objects("variants", "variant"))
+            for (const GltfElement& variant : variants->objects("variants", "variant")) {
                 scene_.variants.push_back(variant.text("name"));
+            }
         }
     }
 
@@ -56,8 +58,9 @@ class GltfImporter {
     double scale() const { return static_cast<double>(options_.scale); }
 
     std::optional<int> variant() const {
-        if (options_.variant.empty())
+        if (options_.variant.empty()) {
             return std::nullopt;
+        }
         return static_cast<int>(chooseIndex("variant", scene_.variants, options_.variant));
     }
 
@@ -78,13 +81,15 @@ class GltfImporter {
     }
 
     void addCamera(const PlacedNode& place) {
-        if (node(place).camera < 0)
+        if (node(place).camera < 0) {
             return;
+        }
         const std::string& label = element(place).label();
         const auto index = static_cast<std::size_t>(node(place).camera);
-        if (index >= document_.model.cameras.size())
+        if (index >= document_.model.cameras.size()) {
             file_.refuse(label + ": camera " + std::to_string(index) + " does not exist, there are " +
                          std::to_string(document_.model.cameras.size()));
+        }
         const tinygltf::Camera& source = document_.model.cameras[index];
         std::optional<SceneCamera> camera = readCamera(source, place.toWorld, scale());
         if (!camera) {
@@ -100,8 +105,9 @@ class GltfImporter {
         const auto extension = element(place).extension("KHR_lights_punctual");
         const std::optional<int> index =
             extension ? extension->index("light", "light", lights_.size()) : std::nullopt;
-        if (!index)
+        if (!index) {
             return;
+        }
         const GltfElement& source = lights_[static_cast<std::size_t>(*index)];
         std::optional<PunctualLight> light = readLight(source, place.toWorld, scale());
         if (!light) {
@@ -109,49 +115,57 @@ class GltfImporter {
                        " has no place or direction and is left out");
             return;
         }
-        if (light->name.empty())
+        if (light->name.empty()) {
             light->name = node(place).name;
+        }
         scene_.lights.push_back(std::move(*light));
     }
 
     void addMesh(const PlacedNode& place, const GltfMeshes& meshes, const GltfSkins& skins) {
         const tinygltf::Node& source = node(place);
-        if (source.mesh < 0)
+        if (source.mesh < 0) {
             return;
+        }
         const std::string& label = element(place).label();
         std::vector<GltfPart> parts = meshes.read(source.mesh, source.weights, label);
         std::vector<glm::dmat4> toWorld = {glm::dmat4(1.0)};
         if (source.skin >= 0) {
             // A skinned mesh is placed by its joints, not by its node.
             const std::vector<glm::dmat4> joints = skins.matrices(source.skin, label);
-            for (GltfPart& part : parts)
+            for (GltfPart& part : parts) {
                 applySkin(file_, joints, part);
+            }
         } else {
             toWorld = instanceMatrices(document_.model, file_, element(place));
-            for (glm::dmat4& instance : toWorld)
+            for (glm::dmat4& instance : toWorld) {
                 instance = place.toWorld * instance;
+            }
         }
-        for (GltfPart& part : parts)
+        for (GltfPart& part : parts) {
             giveTangents(part);
+        }
         const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(source.mesh)];
         for (const glm::dmat4& instance : toWorld) {
             InstanceWriter writer(scene_, file_, mesh.name,
                                   elementName("mesh", mesh.name, static_cast<std::size_t>(source.mesh)),
                                   instance);
-            for (const GltfPart& part : parts)
+            for (const GltfPart& part : parts) {
                 writer.write(part.label, part.geometry, part.material);
+            }
             writer.finish();
         }
     }
 
     // Adds tangents if the material needs them and the file has none.
     void giveTangents(GltfPart& part) const {
-        if (part.material == kNoMaterial || !part.geometry.tangents.empty())
+        if (part.material == kNoMaterial || !part.geometry.tangents.empty()) {
             return;
+        }
         const Material& material = scene_.materials[part.material];
         const std::uint32_t set = texCoordOfTangents(material);
-        if (needsTangents(material) && !part.geometry.texCoords[set].empty())
+        if (needsTangents(material) && !part.geometry.texCoords[set].empty()) {
             addTangents(part.geometry, set);
+        }
     }
 
     const GltfDocument& document_;
@@ -168,8 +182,9 @@ class GltfImporter {
 
 Scene importGltf(InputFile& file, const ImportOptions& options) {
     GltfDocument document = readGltf(file);
-    if (options.time)
+    if (options.time) {
         poseNodes(document, file, options.animation, *options.time);
+    }
     return GltfImporter(document, file, options).import();
 }
 

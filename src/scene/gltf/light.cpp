@@ -11,12 +11,15 @@ namespace {
 
 PunctualLight::Type readType(const GltfElement& source) {
     const std::string type = source.text("type");
-    if (type == "directional")
+    if (type == "directional") {
         return PunctualLight::Type::directional;
-    if (type == "point")
+    }
+    if (type == "point") {
         return PunctualLight::Type::point;
-    if (type == "spot")
+    }
+    if (type == "spot") {
         return PunctualLight::Type::spot;
+    }
     source.refuse("type '" + type + "' is none of directional, point, spot");
 }
 
@@ -37,16 +40,18 @@ std::optional<PunctualLight> readLight(const GltfElement& source, const glm::dma
     const double unit = light.type == PunctualLight::Type::directional ? 1.0 : scale * scale;
     light.intensity = static_cast<float>(
         std::clamp(source.number("intensity", 1.0) * unit, 0.0, double{std::numeric_limits<float>::max()}));
-    if (light.type == PunctualLight::Type::spot)
+    if (light.type == PunctualLight::Type::spot) {
         readCone(source.object("spot"), light);
+    }
 
     light.position = glm::vec3(toWorld[3]);
     const glm::dvec3 along = -glm::dvec3(toWorld[2]);
     const double length = glm::length(along);
     const bool isPlaced = std::isfinite(glm::length(glm::dvec3(light.position)));
     const bool isDirected = std::isfinite(length) && length > 0.0;
-    if (isDirected)
+    if (isDirected) {
         light.direction = glm::vec3(along / length);
+    }
     const bool sound = (isPlaced || light.type == PunctualLight::Type::directional) &&
                        (isDirected || light.type == PunctualLight::Type::point);
     return sound ? std::optional(light) : std::nullopt;

@@ -55,14 +55,16 @@ class MaterialReader {
     void readSurfaceExtensions() {
         Material& m = material_;
         m.unlit = source_.extension("KHR_materials_unlit").has_value();
-        if (const auto emissive = source_.extension("KHR_materials_emissive_strength"))
+        if (const auto emissive = source_.extension("KHR_materials_emissive_strength")) {
             m.emissiveStrength = factor(*emissive, "emissiveStrength", 1.0, 0.0, kLargest);
+        }
         if (const auto refraction = source_.extension("KHR_materials_ior")) {
             m.ior = factor(*refraction, "ior", 1.5, 0.0, kLargest);
             m.ior = m.ior == 0.0f ? 0.0f : std::max(m.ior, 1.0f);
         }
-        if (const auto dispersion = source_.extension("KHR_materials_dispersion"))
+        if (const auto dispersion = source_.extension("KHR_materials_dispersion")) {
             m.dispersion = factor(*dispersion, "dispersion", 0.0, 0.0, kLargest);
+        }
         if (const auto specular = source_.extension("KHR_materials_specular")) {
             m.specularFactor = factor(*specular, "specularFactor", 1.0);
             m.specularTexture = textures_.ref(*specular, "specularTexture", false);
@@ -95,8 +97,9 @@ class MaterialReader {
             m.thicknessFactor = length(*volume, "thicknessFactor", 0.0);
             m.thicknessTexture = textures_.ref(*volume, "thicknessTexture", false);
             m.attenuationDistance = length(*volume, "attenuationDistance", kInfinity);
-            if (m.attenuationDistance == 0.0f)
+            if (m.attenuationDistance == 0.0f) {
                 volume->refuse("attenuationDistance is 0");
+            }
             m.attenuationColor = color(*volume, "attenuationColor", 1.0);
         }
     }
@@ -131,12 +134,15 @@ class MaterialReader {
 
     AlphaMode alphaMode() const {
         const std::string mode = source_.text("alphaMode", "OPAQUE");
-        if (mode == "OPAQUE")
+        if (mode == "OPAQUE") {
             return AlphaMode::opaque;
-        if (mode == "MASK")
+        }
+        if (mode == "MASK") {
             return AlphaMode::mask;
-        if (mode == "BLEND")
+        }
+        if (mode == "BLEND") {
             return AlphaMode::blend;
+        }
         source_.refuse("alphaMode '" + mode + "' is none of OPAQUE, MASK, BLEND");
     }
 
@@ -159,20 +165,25 @@ class MaterialReader {
 void renumberTexCoords(const GltfElement& source, GltfMaterial& read) {
     std::vector<std::uint32_t> sets;
     for (TextureRef* ref : texturesOf(read.material)) {
-        if (ref->texture == kNoTexture)
+        if (ref->texture == kNoTexture) {
             continue;
-        if (std::ranges::find(sets, ref->texCoord) == sets.end())
+        }
+        if (std::ranges::find(sets, ref->texCoord) == sets.end()) {
             sets.push_back(ref->texCoord);
+        }
     }
     std::ranges::sort(sets); // so that sets 0 and 1 keep their numbers
-    if (sets.size() > 2)
+    if (sets.size() > 2) {
         source.refuse("uses " + std::to_string(sets.size()) + " sets of texture coordinates, the limit is 2");
-    if (sets.empty() || sets.back() <= 1)
+    }
+    if (sets.empty() || sets.back() <= 1) {
         return;
+    }
     std::ranges::copy(sets, read.texCoordSets.begin());
     for (TextureRef* ref : texturesOf(read.material)) {
-        if (ref->texture != kNoTexture)
+        if (ref->texture != kNoTexture) {
             ref->texCoord = ref->texCoord == read.texCoordSets[0] ? 0 : 1;
+        }
     }
 }
 

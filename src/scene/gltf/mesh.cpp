@@ -13,8 +13,9 @@ namespace {
 
 // Returns the number of triangles that `count` vertices or indices make.
 std::uint64_t triangleCount(int mode, std::uint64_t count) {
-    if (mode == TINYGLTF_MODE_TRIANGLES)
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
         return count / 3;
+    }
     return count < 3 ? 0 : count - 2;
 }
 
@@ -32,12 +33,13 @@ glm::u64vec3 corners(int mode, std::uint64_t i) {
 
 template <int N>
 glm::vec<N, float> element(const GltfAccessor& accessor, std::uint64_t i) {
-    if constexpr (N == 2)
+    if constexpr (N == 2) {
         return accessor.vec2(i);
-    else if constexpr (N == 3)
+    } else if constexpr (N == 3) {
         return accessor.vec3(i);
-    else
+    } else {
         return accessor.vec4(i);
+    }
 }
 
 using Attributes = std::map<std::string, int>;
@@ -56,9 +58,10 @@ class PartReader {
             file_.warn(part_.label + ": points and lines are not rendered");
             return false;
         }
-        if (primitive_.mode < TINYGLTF_MODE_TRIANGLES || primitive_.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+        if (primitive_.mode < TINYGLTF_MODE_TRIANGLES || primitive_.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
             file_.refuse(part_.label + ": mode " + std::to_string(primitive_.mode) +
                          " is not one of glTF 2.0");
+        }
         if (!primitive_.attributes.contains("POSITION")) {
             file_.warn(part_.label + ": has no positions and is not rendered");
             return false;
@@ -75,11 +78,13 @@ class PartReader {
         MeshGeometry& geometry = part_.geometry;
         geometry.positions = attribute<3>("POSITION");
         geometry.normals = attribute<3>("NORMAL");
-        for (std::size_t set = 0; set < geometry.texCoords.size(); ++set)
+        for (std::size_t set = 0; set < geometry.texCoords.size(); ++set) {
             geometry.texCoords[set] = attribute<2>("TEXCOORD_" + std::to_string(texCoordSets_[set]));
+        }
         geometry.colors = readColors();
-        if (!geometry.normals.empty())
+        if (!geometry.normals.empty()) {
             geometry.tangents = readTangents();
+        }
     }
 
     // Returns a vertex attribute with morph targets applied; empty if the primitive does not have it.
@@ -94,19 +99,23 @@ class PartReader {
     std::vector<glm::vec<N, float>> read(const Attributes& attributes, const std::string& name,
                                          const std::string& label) {
         const auto found = attributes.find(name);
-        if (found == attributes.end())
+        if (found == attributes.end()) {
             return {};
+        }
         constexpr int kTypes[] = {TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4};
         const GltfAccessor accessor(model_, file_, label + ": " + name, found->second, kTypes[N - 2]);
-        if (count_ == 0)
+        if (count_ == 0) {
             count_ = accessor.count(); // POSITION comes first
-        if (accessor.count() != count_)
+        }
+        if (accessor.count() != count_) {
             file_.refuse(label + ": " + name + " has " + std::to_string(accessor.count()) +
                          " elements, POSITION of the primitive has " + std::to_string(count_));
+        }
         std::vector<glm::vec<N, float>> values;
         values.reserve(count_);
-        for (std::uint64_t i = 0; i < count_; ++i)
+        for (std::uint64_t i = 0; i < count_; ++i) {
             values.push_back(element<N>(accessor, i));
+        }
         return values;
     }
 
@@ -115,12 +124,14 @@ class PartReader {
     void morph(const std::string& name, std::vector<glm::vec<N, float>>& values) {
         for (std::size_t t = 0; t < std::min(weights_.size(), primitive_.targets.size()); ++t) {
             const auto weight = static_cast<float>(weights_[t]);
-            if (weight == 0.0f || values.empty())
+            if (weight == 0.0f || values.empty()) {
                 continue;
+            }
             const std::vector<glm::vec<N, float>> offsets =
                 read<N>(primitive_.targets[t], name, part_.label + " target " + std::to_string(t));
-            for (std::size_t i = 0; i < offsets.size(); ++i)
+            for (std::size_t i = 0; i < offsets.size(); ++i) {
                 values[i] += weight * offsets[i];
+            }
         }
     }
 
@@ -130,11 +141,13 @@ class PartReader {
             found == primitive_.attributes.end() || found->second < 0 ||
             static_cast<std::size_t>(found->second) >= model_.accessors.size() ||
             model_.accessors[static_cast<std::size_t>(found->second)].type != TINYGLTF_TYPE_VEC3;
-        if (hasAlpha)
+        if (hasAlpha) {
             return attribute<4>("COLOR_0");
+        }
         std::vector<glm::vec4> colors;
-        for (const glm::vec3& color : attribute<3>("COLOR_0"))
+        for (const glm::vec3& color : attribute<3>("COLOR_0")) {
             colors.emplace_back(color, 1.0f);
+        }
         return colors;
     }
 
@@ -143,8 +156,9 @@ class PartReader {
         std::vector<glm::vec4> tangents = read<4>(primitive_.attributes, "TANGENT", part_.label);
         std::vector<glm::vec3> directions(tangents.begin(), tangents.end());
         morph("TANGENT", directions);
-        for (std::size_t i = 0; i < tangents.size(); ++i)
+        for (std::size_t i = 0; i < tangents.size(); ++i) {
             tangents[i] = glm::vec4(directions[i], tangents[i].w);
+        }
         return tangents;
     }
 
@@ -152,9 +166,10 @@ class PartReader {
         const std::optional<GltfAccessor> indices = indexAccessor();
         const std::uint64_t count = indices ? indices->count() : part_.geometry.positions.size();
         const int mode = primitive_.mode;
-        if (mode == TINYGLTF_MODE_TRIANGLES ? count % 3 != 0 : count < 3)
+        if (mode == TINYGLTF_MODE_TRIANGLES ? count % 3 != 0 : count < 3) {
             file_.warn(part_.label + ": " + std::to_string(count) +
                        " corners are no whole number of triangles");
+        }
         const auto vertex = [&indices](std::uint64_t corner) {
             return indices ? indices->index(corner) : static_cast<std::uint32_t>(corner);
         };
@@ -167,20 +182,23 @@ class PartReader {
     }
 
     std::optional<GltfAccessor> indexAccessor() const {
-        if (primitive_.indices < 0)
+        if (primitive_.indices < 0) {
             return std::nullopt;
+        }
         GltfAccessor indices(model_, file_, part_.label + ": indices", primitive_.indices,
                              TINYGLTF_TYPE_SCALAR);
-        if (!indices.hasUnsignedIntegers())
+        if (!indices.hasUnsignedIntegers()) {
             file_.refuse(part_.label + ": indices are not unsigned integers");
+        }
         return indices;
     }
 
     // Reads JOINTS_n and WEIGHTS_n for every n, vertex by vertex.
     void readInfluences() {
         std::size_t sets = 0;
-        while (primitive_.attributes.contains("JOINTS_" + std::to_string(sets)))
+        while (primitive_.attributes.contains("JOINTS_" + std::to_string(sets))) {
             ++sets;
+        }
         part_.influences.resize(4 * sets * part_.geometry.positions.size());
         for (std::size_t set = 0; set < sets; ++set) {
             const std::string number = std::to_string(set);
@@ -188,21 +206,24 @@ class PartReader {
                 read<4>(primitive_.attributes, "JOINTS_" + number, part_.label);
             const std::vector<glm::vec4> weights =
                 read<4>(primitive_.attributes, "WEIGHTS_" + number, part_.label);
-            if (weights.size() != joints.size())
+            if (weights.size() != joints.size()) {
                 file_.refuse(part_.label + ": JOINTS_" + number + " without WEIGHTS_" + number);
+            }
             for (std::size_t i = 0; i < joints.size(); ++i) {
-                for (int k = 0; k < 4; ++k)
+                for (int k = 0; k < 4; ++k) {
                     part_.influences[4 * (sets * i + set) + static_cast<std::size_t>(k)] =
                         influence(i, joints[i][k], weights[i][k]);
+                }
             }
         }
     }
 
     JointInfluence influence(std::size_t vertex, float joint, float weight) const {
         constexpr float kMostJoints = 65536.0f; // range of an unsigned short
-        if (!(joint >= 0.0f && joint < kMostJoints) || !(weight >= 0.0f && std::isfinite(weight)))
+        if (!(joint >= 0.0f && joint < kMostJoints) || !(weight >= 0.0f && std::isfinite(weight))) {
             file_.refuse(part_.label + ": joint or weight of vertex " + std::to_string(vertex) +
                          " is negative or not finite");
+        }
         return {static_cast<std::uint32_t>(joint), weight};
     }
 
@@ -222,8 +243,9 @@ std::uint32_t materialOf(const GltfElement& primitive, std::optional<int> varian
     if (variant && extension) {
         for (const GltfElement& mapping : extension->objects("mappings", "mapping")) {
             const std::vector<int> variants = mapping.integers("variants");
-            if (std::ranges::find(variants, *variant) != variants.end())
+            if (std::ranges::find(variants, *variant) != variants.end()) {
                 material = mapping.index("material", "material", materials);
+            }
         }
     }
     return material ? static_cast<std::uint32_t>(*material) : kNoMaterial;
@@ -240,9 +262,10 @@ GltfMeshes::GltfMeshes(const GltfDocument& document, InputFile& file,
 std::vector<GltfPart> GltfMeshes::read(int mesh, const std::vector<double>& weights,
                                        const std::string& label) const {
     const auto index = static_cast<std::size_t>(mesh);
-    if (mesh < 0 || index >= meshes_.size())
+    if (mesh < 0 || index >= meshes_.size()) {
         file_.refuse(label + ": mesh " + std::to_string(mesh) + " does not exist, there are " +
                      std::to_string(meshes_.size()));
+    }
     constexpr std::array<std::uint32_t, 2> kFirstSets = {0, 1};
     const tinygltf::Mesh& source = document_.model.meshes[index];
     const std::vector<double>& ofTargets = weights.empty() ? source.weights : weights;
@@ -253,8 +276,9 @@ std::vector<GltfPart> GltfMeshes::read(int mesh, const std::vector<double>& weig
         part.label = primitives[i].label();
         part.material = materialOf(primitives[i], variant_, texCoordSets_.size());
         const auto& sets = part.material == kNoMaterial ? kFirstSets : texCoordSets_[part.material];
-        if (PartReader(document_.model, file_, source.primitives[i], ofTargets, sets, part).read())
+        if (PartReader(document_.model, file_, source.primitives[i], ofTargets, sets, part).read()) {
             parts.push_back(std::move(part));
+        }
     }
     return parts;
 }

@@ -18,13 +18,15 @@ std::string nodeLabel(const tinygltf::Model& model, int node) {
 glm::dmat4 localMatrix(const tinygltf::Model& model, const InputFile& file, int index) {
     const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
     const auto has = [&](const char* name, const std::vector<double>& numbers, std::size_t wanted) {
-        if (!numbers.empty() && numbers.size() != wanted)
+        if (!numbers.empty() && numbers.size() != wanted) {
             file.refuse(nodeLabel(model, index) + ": " + name + " has " + std::to_string(numbers.size()) +
                         " numbers, not " + std::to_string(wanted));
+        }
         return !numbers.empty();
     };
-    if (has("matrix", node.matrix, 16))
+    if (has("matrix", node.matrix, 16)) {
         return glm::make_mat4(node.matrix.data());
+    }
     return composed(has("translation", node.translation, 3) ? glm::make_vec3(node.translation.data())
                                                             : glm::dvec3(0.0),
                     has("rotation", node.rotation, 4) ? glm::make_vec4(node.rotation.data())
@@ -36,27 +38,32 @@ std::vector<int> parentlessNodes(const tinygltf::Model& model, const InputFile& 
     std::vector<bool> hasParent(model.nodes.size(), false);
     for (const tinygltf::Node& node : model.nodes) {
         for (const int child : node.children) {
-            if (child >= 0 && static_cast<std::size_t>(child) < model.nodes.size())
+            if (child >= 0 && static_cast<std::size_t>(child) < model.nodes.size()) {
                 hasParent[static_cast<std::size_t>(child)] = true;
+            }
         }
     }
     std::vector<int> roots;
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
-        if (!hasParent[node])
+        if (!hasParent[node]) {
             roots.push_back(static_cast<int>(node));
+        }
     }
-    if (roots.empty() && !model.nodes.empty())
+    if (roots.empty() && !model.nodes.empty()) {
         file.refuse("no node is without a parent: the nodes form a cycle");
+    }
     return roots;
 }
 
 std::vector<int> rootNodes(const tinygltf::Model& model, const InputFile& file) {
-    if (model.scenes.empty())
+    if (model.scenes.empty()) {
         return parentlessNodes(model, file);
+    }
     const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
-    if (static_cast<std::size_t>(scene) >= model.scenes.size())
+    if (static_cast<std::size_t>(scene) >= model.scenes.size()) {
         file.refuse("scene " + std::to_string(scene) + " does not exist, there are " +
                     std::to_string(model.scenes.size()));
+    }
     return model.scenes[static_cast<std::size_t>(scene)].nodes;
 }
 
@@ -70,9 +77,10 @@ std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile
     const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parentToWorld,
                           const std::string& of) {
         for (const int node : nodes | std::views::reverse) {
-            if (node < 0 || static_cast<std::size_t>(node) >= model.nodes.size())
+            if (node < 0 || static_cast<std::size_t>(node) >= model.nodes.size()) {
                 file.refuse(of + ": node " + std::to_string(node) + " does not exist, there are " +
                             std::to_string(model.nodes.size()));
+            }
             pending.push_back({node, parentToWorld});
         }
     };
@@ -83,9 +91,10 @@ std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile
         const PlacedNode next = pending.back();
         pending.pop_back();
         const auto index = static_cast<std::size_t>(next.node);
-        if (reached[index])
+        if (reached[index]) {
             file.refuse(nodeLabel(model, next.node) +
                         " is reached twice: the nodes form a cycle, or it has two parents");
+        }
         reached[index] = true;
         placed.push_back({next.node, next.toWorld * localMatrix(model, file, next.node)});
         push(model.nodes[index].children, placed.back().toWorld, nodeLabel(model, next.node));

@@ -22,12 +22,14 @@ glm::dmat4 meanMatrix(std::span<const JointInfluence> influences, const std::vec
 }
 
 void checkJoints(const InputFile& file, const GltfPart& part, std::size_t joints) {
-    if (part.influences.empty())
+    if (part.influences.empty()) {
         file.refuse(part.label + ": has a skin, but no JOINTS_0");
+    }
     for (const JointInfluence& influence : part.influences) {
-        if (influence.joint >= joints)
+        if (influence.joint >= joints) {
             file.refuse(part.label + ": joint " + std::to_string(influence.joint) +
                         " does not exist, the skin has " + std::to_string(joints));
+        }
     }
 }
 
@@ -38,33 +40,38 @@ GltfSkins::GltfSkins(const GltfDocument& document, const InputFile& file,
     : document_(document), file_(file),
       skins_(GltfElement(file, "", &document.json).objects("skins", "skin")),
       toWorld_(document.model.nodes.size(), nullptr) {
-    for (const PlacedNode& placed : nodes)
+    for (const PlacedNode& placed : nodes) {
         toWorld_[static_cast<std::size_t>(placed.node)] = &placed.toWorld;
+    }
 }
 
 std::vector<glm::dmat4> GltfSkins::matrices(int skin, const std::string& label) const {
     const auto index = static_cast<std::size_t>(skin);
-    if (index >= skins_.size())
+    if (index >= skins_.size()) {
         file_.refuse(label + ": skin " + std::to_string(skin) + " does not exist, there are " +
                      std::to_string(skins_.size()));
+    }
     const GltfElement& source = skins_[index];
     const std::vector<int> joints = source.integers("joints");
-    if (joints.empty())
+    if (joints.empty()) {
         source.refuse("has no joints");
+    }
     std::optional<GltfAccessor> inverseBind;
     if (const std::optional<int> accessor = source.integer("inverseBindMatrices")) {
         inverseBind.emplace(document_.model, file_, source.label() + ": inverseBindMatrices", *accessor,
                             TINYGLTF_TYPE_MAT4);
-        if (inverseBind->count() < joints.size())
+        if (inverseBind->count() < joints.size()) {
             source.refuse(std::to_string(joints.size()) + " joints, but " +
                           std::to_string(inverseBind->count()) + " inverse bind matrices");
+        }
     }
     std::vector<glm::dmat4> matrices;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const auto node = static_cast<std::size_t>(joints[i]);
-        if (node >= toWorld_.size() || toWorld_[node] == nullptr)
+        if (node >= toWorld_.size() || toWorld_[node] == nullptr) {
             source.refuse("joint " + std::to_string(i) + ": node " + std::to_string(joints[i]) +
                           " is not in the scene");
+        }
         matrices.push_back(*toWorld_[node] * (inverseBind ? inverseBind->mat4(i) : glm::dmat4(1.0)));
     }
     return matrices;
@@ -81,15 +88,18 @@ void applySkin(const InputFile& file, const std::vector<glm::dmat4>& matrices, G
             meanMatrix(std::span(part.influences).subspan(i * perVertex, perVertex), matrices);
         mirrored[i] = isMirroring(toWorld);
         geometry.positions[i] = glm::vec3(toWorld * glm::dvec4(geometry.positions[i], 1.0));
-        if (!geometry.normals.empty())
+        if (!geometry.normals.empty()) {
             geometry.normals[i] = glm::vec3(normalMatrix(toWorld) * glm::dvec3(geometry.normals[i]));
-        if (!geometry.tangents.empty())
+        }
+        if (!geometry.tangents.empty()) {
             geometry.tangents[i] = glm::vec4(glm::dmat3(toWorld) * glm::dvec3(geometry.tangents[i]),
                                              mirrored[i] ? -geometry.tangents[i].w : geometry.tangents[i].w);
+        }
     }
     for (glm::uvec3& triangle : geometry.triangles) {
-        if (mirrored[triangle.x])
+        if (mirrored[triangle.x]) {
             std::swap(triangle.y, triangle.z);
+        }
     }
 }
 

@@ -25,8 +25,9 @@ TextureWrap readWrap(const GltfElement& sampler, const char* key) {
 
 TextureFilter readFilter(const GltfElement& sampler, const char* key, TextureFilter fallback) {
     const std::optional<int> filter = sampler.integer(key);
-    if (!filter)
+    if (!filter) {
         return fallback;
+    }
     switch (*filter) {
     case TINYGLTF_TEXTURE_FILTER_NEAREST:
         return TextureFilter::nearest;
@@ -51,31 +52,36 @@ Texture readSampler(const GltfElement& sampler) {
     texture.wrapT = readWrap(sampler, "wrapT");
     texture.magFilter = readFilter(sampler, "magFilter", texture.magFilter);
     texture.minFilter = readFilter(sampler, "minFilter", texture.minFilter);
-    if (texture.magFilter > TextureFilter::linear)
+    if (texture.magFilter > TextureFilter::linear) {
         sampler.refuse("magFilter is a filter for minification");
+    }
     return texture;
 }
 
 TextureSource readImage(const GltfDocument& document, const InputFile& file, const GltfElement& image) {
     const std::string uri = image.text("uri");
-    if (!uri.empty() && !isDataUri(uri))
+    if (!uri.empty() && !isDataUri(uri)) {
         return fileSource(file, fileNameOfUri(uri));
+    }
     const std::optional<int> view = image.integer("bufferView");
     const std::string& label = image.label();
-    if (uri.empty() && !view)
+    if (uri.empty() && !view) {
         image.refuse("has neither uri nor bufferView");
+    }
     const auto readUri = [uri] {
         std::optional<std::vector<unsigned char>> bytes = bytesOfDataUri(uri);
-        if (!bytes)
+        if (!bytes) {
             throw TextureFailure("has a data URI that is not base64");
+        }
         return std::move(*bytes);
     };
     const auto readView = [&document, &file, label, view] {
         const std::span<const unsigned char> bytes = bytesOfView(document.model, file, label, *view);
         return std::vector<unsigned char>(bytes.begin(), bytes.end());
     };
-    if (!uri.empty())
+    if (!uri.empty()) {
         return {label, "", readUri};
+    }
     return {label, "", readView};
 }
 
@@ -84,8 +90,9 @@ TextureSource readImage(const GltfDocument& document, const InputFile& file, con
 std::optional<int> sourceOf(const GltfElement& texture, std::size_t images) {
     const std::optional<GltfElement> webp = texture.extension("EXT_texture_webp");
     if (webp && isSupportedExtension("EXT_texture_webp")) {
-        if (const std::optional<int> source = webp->index("source", "image", images))
+        if (const std::optional<int> source = webp->index("source", "image", images)) {
             return source;
+        }
     }
     return texture.index("source", "image", images);
 }
@@ -110,38 +117,44 @@ glm::mat3x2 readTransform(const GltfElement& transform) {
 
 GltfTextures::GltfTextures(const GltfDocument& document, const InputFile& file) {
     const GltfElement root(file, "", &document.json);
-    for (const GltfElement& image : root.objects("images", "image"))
+    for (const GltfElement& image : root.objects("images", "image")) {
         sources_.push_back(readImage(document, file, image));
+    }
     const std::size_t images = sources_.size();
     const std::vector<GltfElement> samplers = root.objects("samplers", "sampler");
     for (const GltfElement& source : root.objects("textures", "texture")) {
         Texture texture;
-        if (const std::optional<int> sampler = source.index("sampler", "sampler", samplers.size()))
+        if (const std::optional<int> sampler = source.index("sampler", "sampler", samplers.size())) {
             texture = readSampler(samplers[static_cast<std::size_t>(*sampler)]);
+        }
         const std::optional<int> image = sourceOf(source, images);
         texture.image =
             static_cast<std::uint32_t>(image ? static_cast<std::size_t>(*image) : sources_.size());
-        if (!image)
+        if (!image) {
             sources_.push_back(noSource(source.label()));
+        }
         textures_.push_back(texture);
     }
 }
 
 TextureRef GltfTextures::ref(const GltfElement& material, const char* key, bool isSrgb) const {
-    if (!material.has(key))
+    if (!material.has(key)) {
         return {};
+    }
     const GltfElement info = material.object(key);
     const std::optional<int> texture = info.index("index", "texture", textures_.size());
-    if (!texture)
+    if (!texture) {
         info.refuse("has no index");
+    }
     TextureRef ref;
     ref.texture = static_cast<std::uint32_t>(*texture);
     ref.texCoord = static_cast<std::uint32_t>(info.integer("texCoord").value_or(0));
     ref.isSrgb = isSrgb;
     if (const std::optional<GltfElement> transform = info.extension("KHR_texture_transform")) {
         ref.transform = readTransform(*transform);
-        if (const std::optional<int> texCoord = transform->integer("texCoord"))
+        if (const std::optional<int> texCoord = transform->integer("texCoord")) {
             ref.texCoord = static_cast<std::uint32_t>(*texCoord);
+        }
     }
     return ref;
 }

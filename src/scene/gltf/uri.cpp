@@ -10,8 +10,9 @@ namespace {
 // nothing if the URI is not base64.
 std::optional<std::string> octetStream(const std::string& dataUri) {
     const std::size_t encoding = dataUri.find(";base64,");
-    if (encoding == std::string::npos || encoding > dataUri.find(','))
+    if (encoding == std::string::npos || encoding > dataUri.find(',')) {
         return std::nullopt;
+    }
     return "data:application/octet-stream" + dataUri.substr(encoding);
 }
 
@@ -21,10 +22,11 @@ std::string percentEncoded(const std::string& name) {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string encoded;
     for (const unsigned char c : name) {
-        if (std::isalnum(c) != 0 || c == '.' || c == '/')
+        if (std::isalnum(c) != 0 || c == '.' || c == '/') {
             encoded += static_cast<char>(c);
-        else
+        } else {
             encoded.append({'%', kDigits[c >> 4], kDigits[c & 15]});
+        }
     }
     return encoded;
 }
@@ -37,8 +39,9 @@ bool isReadable(const std::string& path, void* file) {
 
 bool readWhole(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void* file) {
     std::optional<std::vector<unsigned char>> read;
-    if (isReadable(path, file))
+    if (isReadable(path, file)) {
         read = readBytes(path);
+    }
     if (!read) {
         *error += "cannot be read";
         return false;
@@ -52,13 +55,15 @@ bool readWhole(std::vector<unsigned char>* bytes, std::string* error, const std:
 std::string checkedBufferUri(const InputFile& file, const std::string& label, const std::string& uri) {
     if (isDataUri(uri)) {
         const std::optional<std::string> known = octetStream(uri);
-        if (!known)
+        if (!known) {
             file.refuse(label + ": a data URI that is not base64");
+        }
         return *known;
     }
     const std::string decoded = fileNameOfUri(uri);
-    if (const std::string reason = file.whyNotReadable(decoded); !reason.empty())
+    if (const std::string reason = file.whyNotReadable(decoded); !reason.empty()) {
         file.refuse(label + ": '" + decoded + "' " + reason);
+    }
     return percentEncoded(decoded);
 }
 
@@ -68,8 +73,9 @@ std::optional<std::vector<unsigned char>> bytesOfDataUri(const std::string& uri)
     const std::optional<std::string> known = octetStream(uri);
     std::vector<unsigned char> bytes;
     std::string mediaType;
-    if (!known || !tinygltf::DecodeDataURI(&bytes, mediaType, *known, 0, false))
+    if (!known || !tinygltf::DecodeDataURI(&bytes, mediaType, *known, 0, false)) {
         return std::nullopt;
+    }
     return bytes;
 }
 

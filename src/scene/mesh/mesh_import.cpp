@@ -38,8 +38,9 @@ class FolderIo : public Assimp::DefaultIOSystem {
             return nullptr;
         }
         Assimp::IOStream* stream = Assimp::DefaultIOSystem::Open(name, mode);
-        if (stream == nullptr)
+        if (stream == nullptr) {
             file_.warn(std::string("'") + name + "' cannot be opened");
+        }
         return stream;
     }
 
@@ -54,8 +55,9 @@ void keepOnlyImporter(Assimp::Importer& importer, const std::string& ending) {
         Assimp::BaseImporter* candidate = importer.GetImporter(i);
         std::set<std::string> endings;
         candidate->GetExtensionList(endings);
-        if (endings.contains(ending.substr(1)))
+        if (endings.contains(ending.substr(1))) {
             continue;
+        }
         importer.UnregisterLoader(candidate); // this makes us the owner
         delete candidate;
     }
@@ -70,10 +72,12 @@ class MeshImporter {
 
     Scene import() {
         addMaterials();
-        for (std::uint32_t i = 0; i < source_.mNumMeshes; ++i)
+        for (std::uint32_t i = 0; i < source_.mNumMeshes; ++i) {
             addMesh(*source_.mMeshes[i], i);
-        if (scene_.triangles.empty())
+        }
+        if (scene_.triangles.empty()) {
             file_.refuse("there is no triangle in it");
+        }
         loadTextures(scene_, file_, textures_.sources(), options_.allowMissingTextures);
         return std::move(scene_);
     }
@@ -84,8 +88,9 @@ class MeshImporter {
         materials_.assign(source_.mNumMaterials, kNoMaterial);
         for (std::uint32_t i = 0; i < source_.mNumMaterials; ++i) {
             const aiMaterial& material = *source_.mMaterials[i];
-            if (ending_ != ".obj" || material.GetName() == aiString(AI_DEFAULT_MATERIAL_NAME))
+            if (ending_ != ".obj" || material.GetName() == aiString(AI_DEFAULT_MATERIAL_NAME)) {
                 continue;
+            }
             materials_[i] = static_cast<std::uint32_t>(scene_.materials.size());
             scene_.materials.push_back(textures_.read(material));
         }
@@ -100,25 +105,30 @@ class MeshImporter {
         const std::span<const aiFace> faces(mesh.mFaces, mesh.mNumFaces);
         const auto triangles = static_cast<std::uint64_t>(
             std::ranges::count(faces, 3u, [](const aiFace& face) { return face.mNumIndices; }));
-        if (triangles < faces.size())
+        if (triangles < faces.size()) {
             file_.warn(label + ": " + std::to_string(faces.size() - triangles) +
                        " points, lines or polygons that cannot be triangulated are not rendered");
-        if (triangles == 0)
+        }
+        if (triangles == 0) {
             return;
+        }
 
         MeshGeometry geometry = readVertices(mesh, vertices.kept);
         geometry.triangles.reserve(triangles);
         for (const aiFace& face : faces) {
-            if (face.mNumIndices == 3)
+            if (face.mNumIndices == 3) {
                 geometry.triangles.emplace_back(joinedIndex(vertices, face, 0),
                                                 joinedIndex(vertices, face, 1),
                                                 joinedIndex(vertices, face, 2));
+            }
         }
         checkIndices(file_, label, geometry);
         const std::uint32_t material =
             mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : kNoMaterial;
-        if (material != kNoMaterial && needsTangents(scene_.materials[material]) && mesh.HasTextureCoords(0))
+        if (material != kNoMaterial && needsTangents(scene_.materials[material]) &&
+            mesh.HasTextureCoords(0)) {
             addTangents(geometry, 0);
+        }
         InstanceWriter writer(scene_, file_, mesh.mName.C_Str(), label, toWorld_);
         writer.write(label, geometry, material);
         writer.finish();
@@ -133,13 +143,15 @@ class MeshImporter {
         for (const std::uint32_t vertex : kept) {
             const aiVector3D& position = mesh.mVertices[vertex];
             geometry.positions.emplace_back(position.x, position.y, position.z);
-            if (hasNormals)
+            if (hasNormals) {
                 geometry.normals.emplace_back(mesh.mNormals[vertex].x, mesh.mNormals[vertex].y,
                                               mesh.mNormals[vertex].z);
-            if (hasTexCoords)
+            }
+            if (hasTexCoords) {
                 geometry.texCoords[0].emplace_back(mesh.mTextureCoords[0][vertex].x,
                                                    // OBJ's v points up.
                                                    1.0f - mesh.mTextureCoords[0][vertex].y);
+            }
         }
         return geometry;
     }
@@ -164,12 +176,15 @@ class MeshImporter {
 std::optional<MeshCounts> checkMesh(const InputFile& file, const std::string& ending) {
     const std::vector<unsigned char> bytes = file.read();
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (ending == ".ply")
+    if (ending == ".ply") {
         return checkPly(file, text);
-    if (ending == ".off")
+    }
+    if (ending == ".off") {
         return checkOff(file, text);
-    if (ending == ".stl")
+    }
+    if (ending == ".stl") {
         checkStl(file, text);
+    }
     return std::nullopt;
 }
 
@@ -180,10 +195,11 @@ void compareCounts(const InputFile& file, const aiScene& source, const MeshCount
         found.vertices += source.mMeshes[i]->mNumVertices;
         found.faces += source.mMeshes[i]->mNumFaces;
     }
-    if (found.vertices != checked.vertices || (checked.faces != 0 && found.faces != checked.faces))
+    if (found.vertices != checked.vertices || (checked.faces != 0 && found.faces != checked.faces)) {
         file.refuse("of " + std::to_string(checked.vertices) + " vertices and " +
                     std::to_string(checked.faces) + " faces only " + std::to_string(found.vertices) +
                     " and " + std::to_string(found.faces) + " can be used");
+    }
 }
 
 // Assimp's triangulation does not check indices, and aborts if a polygon without corners leaves it nothing to
@@ -196,12 +212,14 @@ void checkFaces(const InputFile& file, const aiScene& source) {
             const auto face = [&] {
                 return elementName("mesh", mesh.mName.C_Str(), i) + ": face " + std::to_string(j);
             };
-            if (indices.empty())
+            if (indices.empty()) {
                 file.refuse(face() + " has no corners");
+            }
             for (const unsigned int index : indices) {
-                if (index >= mesh.mNumVertices)
+                if (index >= mesh.mNumVertices) {
                     file.refuse(face() + ": index " + std::to_string(index) + " is out of range, there are " +
                                 std::to_string(mesh.mNumVertices) + " vertices");
+                }
             }
         }
     }
@@ -211,25 +229,30 @@ void checkFaces(const InputFile& file, const aiScene& source) {
 
 Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions& options) {
     // These formats have no variants and no animations, so any choice of one is an error.
-    if (!options.variant.empty())
+    if (!options.variant.empty()) {
         chooseIndex("variant", {}, options.variant);
-    if (!options.animation.empty())
+    }
+    if (!options.animation.empty()) {
         chooseIndex("animation", {}, options.animation);
-    if (options.time)
+    }
+    if (options.time) {
         file.warn("there is no animation, it looks the same at any time");
+    }
     const std::optional<MeshCounts> checked = checkMesh(file, ending);
     Assimp::Importer importer;
     importer.SetIOHandler(new FolderIo(file)); // the importer deletes it
     keepOnlyImporter(importer, ending);
     const aiScene* source = importer.ReadFile(file.path().string(), 0);
-    if (source != nullptr && checked)
+    if (source != nullptr && checked) {
         compareCounts(file, *source, *checked); // compare before polygons become triangles
+    }
     if (source != nullptr) {
         checkFaces(file, *source);
         source = importer.ApplyPostProcessing(aiProcess_Triangulate);
     }
-    if (source == nullptr)
+    if (source == nullptr) {
         file.refuse(std::string("not ") + ending.substr(1) + ": " + importer.GetErrorString());
+    }
     return MeshImporter(*source, file, ending, options).import();
 }
 

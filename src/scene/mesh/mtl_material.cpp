@@ -25,8 +25,9 @@ std::optional<float> number(const aiMaterial& source, const char* key, unsigned 
 
 glm::vec3 color(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
     aiColor3D value;
-    if (source.Get(key, type, index, value) != AI_SUCCESS)
+    if (source.Get(key, type, index, value) != AI_SUCCESS) {
         return glm::vec3(0.0f);
+    }
     constexpr float kMost = std::numeric_limits<float>::max();
     return {clamped(value.r, kMost), clamped(value.g, kMost), clamped(value.b, kMost)};
 }
@@ -57,8 +58,9 @@ Texture samplerOf(const aiMaterial& material, aiTextureType type) {
 
 void readEmission(const aiMaterial& source, Material& material) {
     glm::vec3 emission = color(source, AI_MATKEY_COLOR_EMISSIVE);
-    if (has(source, aiTextureType_EMISSIVE) && emission == glm::vec3(0.0f))
+    if (has(source, aiTextureType_EMISSIVE) && emission == glm::vec3(0.0f)) {
         emission = glm::vec3(1.0f);
+    }
     material.emissiveStrength = std::max({1.0f, emission.r, emission.g, emission.b});
     material.emissiveFactor = emission / material.emissiveStrength;
 }
@@ -91,8 +93,9 @@ void readOpacity(const aiMaterial& source, Material& material) {
         return;
     }
     material.baseColorFactor.a = opacity;
-    if (opacity < 1.0f || has(source, aiTextureType_OPACITY))
+    if (opacity < 1.0f || has(source, aiTextureType_OPACITY)) {
         material.alphaMode = AlphaMode::blend;
+    }
 }
 
 } // namespace
@@ -112,32 +115,40 @@ Material MtlTextures::read(const aiMaterial& source) {
 
 void MtlTextures::readTextures(const aiMaterial& source, Material& material) {
     std::vector<TextureOverlay> alpha;
-    if (has(source, aiTextureType_OPACITY))
+    if (has(source, aiTextureType_OPACITY)) {
         alpha.push_back({sourceOf(file_, source, aiTextureType_OPACITY), 3});
-    if (has(source, aiTextureType_DIFFUSE))
+    }
+    if (has(source, aiTextureType_DIFFUSE)) {
         material.baseColorTexture = add(source, aiTextureType_DIFFUSE, true, alpha);
-    else if (!alpha.empty())
+    } else if (!alpha.empty()) {
         material.baseColorTexture = addWhite(alpha);
+    }
 
     std::vector<TextureOverlay> metallic;
-    if (has(source, aiTextureType_METALNESS))
+    if (has(source, aiTextureType_METALNESS)) {
         metallic.push_back({sourceOf(file_, source, aiTextureType_METALNESS), 2});
-    if (has(source, aiTextureType_DIFFUSE_ROUGHNESS)) // the map is grey; glTF reads roughness from g
+    }
+    if (has(source, aiTextureType_DIFFUSE_ROUGHNESS)) { // the map is grey; glTF reads roughness from g
         material.metallicRoughnessTexture = add(source, aiTextureType_DIFFUSE_ROUGHNESS, false, metallic);
-    else if (!metallic.empty())
+    } else if (!metallic.empty()) {
         material.metallicRoughnessTexture = addWhite(metallic);
+    }
 
-    if (has(source, aiTextureType_SPECULAR) && material.specularFactor > 0.0f)
+    if (has(source, aiTextureType_SPECULAR) && material.specularFactor > 0.0f) {
         material.specularColorTexture = add(source, aiTextureType_SPECULAR, true);
-    if (has(source, aiTextureType_EMISSIVE))
+    }
+    if (has(source, aiTextureType_EMISSIVE)) {
         material.emissiveTexture = add(source, aiTextureType_EMISSIVE, true);
-    if (has(source, aiTextureType_NORMALS))
+    }
+    if (has(source, aiTextureType_NORMALS)) {
         material.normalTexture = add(source, aiTextureType_NORMALS, false);
+    }
     for (const aiTextureType type :
          {aiTextureType_HEIGHT, aiTextureType_DISPLACEMENT, aiTextureType_REFLECTION}) {
-        if (has(source, type))
+        if (has(source, type)) {
             file_.warn("material '" + material.name +
                        "': maps of bumps, displacement and reflection are not rendered");
+        }
     }
 }
 
@@ -167,8 +178,9 @@ TextureRef MtlTextures::append(const Texture& sampler, TextureSource source, boo
     const auto known = std::ranges::find_if(sources_, sameFiles);
     Texture texture = sampler;
     texture.image = static_cast<std::uint32_t>(known - sources_.begin());
-    if (known == sources_.end())
+    if (known == sources_.end()) {
         sources_.push_back(std::move(source));
+    }
     textures_.push_back(texture);
     TextureRef ref;
     ref.texture = static_cast<std::uint32_t>(textures_.size()) - 1;

@@ -42,22 +42,30 @@ struct Header {
 };
 
 Type typeNamed(const InputFile& file, const std::string& name) {
-    if (name == "char" || name == "int8")
+    if (name == "char" || name == "int8") {
         return {1, false, true};
-    if (name == "uchar" || name == "uint8")
+    }
+    if (name == "uchar" || name == "uint8") {
         return {1, false, false};
-    if (name == "short" || name == "int16")
+    }
+    if (name == "short" || name == "int16") {
         return {2, false, true};
-    if (name == "ushort" || name == "uint16")
+    }
+    if (name == "ushort" || name == "uint16") {
         return {2, false, false};
-    if (name == "int" || name == "int32")
+    }
+    if (name == "int" || name == "int32") {
         return {4, false, true};
-    if (name == "uint" || name == "uint32")
+    }
+    if (name == "uint" || name == "uint32") {
         return {4, false, false};
-    if (name == "float" || name == "float32")
+    }
+    if (name == "float" || name == "float32") {
         return {4, true, true};
-    if (name == "double" || name == "float64")
+    }
+    if (name == "double" || name == "float64") {
         return {8, true, true};
+    }
     file.refuse("PLY header: unknown type '" + name + "'");
 }
 
@@ -66,21 +74,24 @@ class HeaderReader {
     HeaderReader(const InputFile& file, std::string_view bytes) : file_(file), bytes_(bytes) {}
 
     Header read() {
-        if (nextLine() != "ply")
+        if (nextLine() != "ply") {
             file_.refuse("not PLY: does not start with 'ply'");
+        }
         while (true) {
             const std::string line = nextLine();
-            if (line == "end_header")
+            if (line == "end_header") {
                 break;
+            }
             std::istringstream words(line);
             std::string keyword;
             words >> keyword;
-            if (keyword == "format")
+            if (keyword == "format") {
                 readFormat(words);
-            else if (keyword == "element")
+            } else if (keyword == "element") {
                 readElement(words);
-            else if (keyword == "property")
+            } else if (keyword == "property") {
                 readProperty(words);
+            }
         }
         return std::move(header_);
     }
@@ -88,8 +99,9 @@ class HeaderReader {
   private:
     std::string nextLine() {
         const std::size_t end = bytes_.find('\n', header_.size);
-        if (end == std::string_view::npos)
+        if (end == std::string_view::npos) {
             file_.refuse("not PLY, or cut off in its header");
+        }
         std::string line(bytes_.substr(header_.size, end - header_.size));
         header_.size = end + 1;
         line.erase(line.find_last_not_of(" \t\r") + 1);
@@ -99,10 +111,12 @@ class HeaderReader {
     void readFormat(std::istringstream& words) {
         std::string format;
         words >> format;
-        if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+        if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian") {
             file_.refuse("PLY header: unknown format '" + format + "'");
-        if (format != "ascii")
+        }
+        if (format != "ascii") {
             header_.encoding = format == "binary_big_endian" ? Encoding::bigEndian : Encoding::littleEndian;
+        }
     }
 
     void readElement(std::istringstream& words) {
@@ -111,8 +125,9 @@ class HeaderReader {
         words >> element.name >> count;
         // An element takes at least one byte. This check prevents work on billions of elements that do not
         // exist.
-        if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size())
+        if (count < 0 || static_cast<std::uint64_t>(count) > bytes_.size()) {
             file_.refuse("PLY header: the file cannot hold its elements '" + element.name + "'");
+        }
         element.count = static_cast<std::uint64_t>(count);
         header_.elements.push_back(std::move(element));
     }
@@ -126,10 +141,12 @@ class HeaderReader {
             property.listCount = typeNamed(file_, countType);
         }
         property.type = typeNamed(file_, type);
-        if (!(words >> property.name) || header_.elements.empty())
+        if (!(words >> property.name) || header_.elements.empty()) {
             file_.refuse("PLY header: a property without a name or element");
-        if (property.listCount && (property.listCount->isFloat || property.type.isFloat))
+        }
+        if (property.listCount && (property.listCount->isFloat || property.type.isFloat)) {
             file_.refuse("PLY header: list '" + property.name + "' is not of integers");
+        }
         header_.elements.back().properties.push_back(std::move(property));
     }
 
@@ -149,8 +166,9 @@ class BodyChecker {
                 at_ = &element;
                 index_ = i;
                 beginElement();
-                for (const Property& property : element.properties)
+                for (const Property& property : element.properties) {
                     checkProperty(property);
+                }
             }
         }
     }
@@ -162,15 +180,17 @@ class BodyChecker {
             return;
         }
         const double entries = readNumber(*property.listCount);
-        if (!(entries >= 0.0))
+        if (!(entries >= 0.0)) {
             refuse("a list has " + std::to_string(static_cast<std::int64_t>(entries)) + " entries");
+        }
         const bool indexesVertices = property.name == "vertex_indices" || property.name == "vertex_index";
         for (double entry = 0.0; entry < entries; ++entry) {
             const double value = readNumber(property.type);
-            if (indexesVertices && !(value >= 0.0 && value < static_cast<double>(header_.count("vertex"))))
+            if (indexesVertices && !(value >= 0.0 && value < static_cast<double>(header_.count("vertex")))) {
                 refuse("vertex index " + std::to_string(static_cast<std::int64_t>(value)) +
                        " is out of range, there are " + std::to_string(header_.count("vertex")) +
                        " vertices");
+            }
         }
     }
 
@@ -180,34 +200,40 @@ class BodyChecker {
 
     // Assimp reads each element of a text file from its own line. Do the same, so that both agree.
     void beginElement() {
-        if (header_.encoding != Encoding::text)
+        if (header_.encoding != Encoding::text) {
             return;
+        }
         rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
-        if (rest_.empty())
+        if (rest_.empty()) {
             refuse("the file ends here");
+        }
         line_ = rest_.substr(0, rest_.find('\n'));
         rest_.remove_prefix(line_.size());
     }
 
     double readWord() {
         line_.remove_prefix(std::min(line_.find_first_not_of(" \t\r"), line_.size()));
-        if (line_.starts_with('+'))
+        if (line_.starts_with('+')) {
             line_.remove_prefix(1);
-        if (line_.empty())
+        }
+        if (line_.empty()) {
             refuse("the line ends here");
+        }
         double number = 0.0;
         const auto [end, failure] = std::from_chars(line_.data(), line_.data() + line_.size(), number);
         // result_out_of_range means a well-formed number that is too small or too large for a double.
-        if (failure == std::errc::invalid_argument)
+        if (failure == std::errc::invalid_argument) {
             refuse("not a number");
+        }
         line_.remove_prefix(static_cast<std::size_t>(end - line_.data()));
         return number;
     }
 
     double readBytes(const Type& type) {
         const auto size = static_cast<std::size_t>(type.size);
-        if (rest_.size() < size)
+        if (rest_.size() < size) {
             refuse("the file ends here");
+        }
         std::uint64_t bits = 0;
         for (std::size_t i = 0; i < size; ++i) {
             const std::size_t from = header_.encoding == Encoding::bigEndian ? i : size - 1 - i;
@@ -215,8 +241,9 @@ class BodyChecker {
         }
         rest_.remove_prefix(size);
         // Only integers are checked here: Assimp reads the floats, and the scene checks them.
-        if (type.isFloat)
+        if (type.isFloat) {
             return 0.0;
+        }
         const auto unused = static_cast<int>(64 - 8 * size);
         return type.isSigned ? static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused)
                              : static_cast<double>(bits);

@@ -43,24 +43,30 @@ Format formatOf(std::span<const unsigned char> bytes, const std::string& ending)
     const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
                                  std::min<std::size_t>(bytes.size(), 16));
     for (const Format& format : kFormats) {
-        if (start.starts_with(format.magic))
+        if (start.starts_with(format.magic)) {
             return format;
+        }
     }
-    if (ending == ".tga")
+    if (ending == ".tga") {
         return kTarga;
-    if (start.starts_with("\xabKTX"))
+    }
+    if (start.starts_with("\xabKTX")) {
         throw TextureFailure("is a KTX texture (KHR_texture_basisu), which is not supported");
+    }
     throw TextureFailure("is no picture of a known format");
 }
 
 void checkSize(const OIIO::ImageSpec& spec) {
-    if (spec.deep || spec.depth > 1)
+    if (spec.deep || spec.depth > 1) {
         throw TextureFailure("is a deep picture or a volume");
-    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+    }
+    if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) {
         throw TextureFailure("has no texels");
-    if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > kMaxTexels)
+    }
+    if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > kMaxTexels) {
         throw TextureFailure("has " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
                              " texels, more than the limit of " + std::to_string(kMaxTexels));
+    }
 }
 
 // Reads the first `channels` channels of every texel. The memory grows with the data actually read, not with
@@ -82,8 +88,9 @@ std::vector<T> readChannels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec
                                 : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, channels, type,
                                                        &values[begin]);
         // Some readers fill missing data with grey, set an error and still return success.
-        if (!read || input.has_error())
+        if (!read || input.has_error()) {
             throw TextureFailure("cannot be decoded: " + input.geterror());
+        }
     }
     return values;
 }
@@ -105,9 +112,10 @@ void checkFinite(const TextureImage& image) {
     for (std::size_t i = 0; i < image.floats.size(); ++i) {
         const glm::vec4& texel = image.floats[i];
         if (!std::isfinite(texel.r) || !std::isfinite(texel.g) || !std::isfinite(texel.b) ||
-            !std::isfinite(texel.a))
+            !std::isfinite(texel.a)) {
             throw TextureFailure("has a texel that is not finite, at " + std::to_string(i % image.width) +
                                  ',' + std::to_string(i / image.width));
+        }
     }
 }
 
@@ -118,12 +126,13 @@ TextureImage decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
     image.height = static_cast<std::uint32_t>(spec.height);
     const int channels = std::min(spec.nchannels, 4);
     const auto count = static_cast<std::size_t>(channels);
-    if (spec.format == OIIO::TypeUInt8)
+    if (spec.format == OIIO::TypeUInt8) {
         image.bytes =
             toTexels<glm::u8>(readChannels<glm::u8>(input, spec, channels, OIIO::TypeUInt8), count, 255);
-    else
+    } else {
         image.floats =
             toTexels<float>(readChannels<float>(input, spec, channels, OIIO::TypeFloat), count, 1.0f);
+    }
     checkFinite(image);
     return image;
 }
@@ -132,19 +141,23 @@ TextureImage decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
 
 DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::string& ending) {
     const Format format = formatOf(bytes, ending);
-    if (format.name == "webp"sv)
+    if (format.name == "webp"sv) {
         return {decodeWebp(bytes), false};
-    if (format.name == "png"sv)
+    }
+    if (format.name == "png"sv) {
         checkPng(bytes);
+    }
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format.name);
-    if (input == nullptr)
+    if (input == nullptr) {
         throw TextureFailure("is " + std::string(format.name) + ", which this OpenImageIO cannot read");
+    }
     OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
     OIIO::ImageSpec request;
     request.attribute("oiio:UnassociatedAlpha", 1); // keep texels as stored
     OIIO::ImageSpec spec;
-    if (!input->set_ioproxy(&memory) || !input->open(std::string("texture.") + format.name, spec, request))
+    if (!input->set_ioproxy(&memory) || !input->open(std::string("texture.") + format.name, spec, request)) {
         throw TextureFailure("cannot be decoded: " + input->geterror());
+    }
     return {decode(*input, spec), format.isLinear};
 }
 

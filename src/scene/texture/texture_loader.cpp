@@ -36,17 +36,19 @@ bool hasAlpha(const TextureImage& image) {
 
 // Enlarges `image` to the size of `other` if `other` has more texels.
 void enlarge(TextureImage& image, const TextureImage& other) {
-    if (texelCount(image) >= texelCount(other))
+    if (texelCount(image) >= texelCount(other)) {
         return;
+    }
     TextureImage larger;
     larger.width = other.width;
     larger.height = other.height;
     for (std::size_t i = 0; i < texelCount(other); ++i) {
         const glm::vec4 texel = texelOf(image, other, i);
-        if (image.floats.empty())
+        if (image.floats.empty()) {
             larger.bytes.emplace_back(glm::round(255.0f * texel));
-        else
+        } else {
             larger.floats.push_back(texel);
+        }
     }
     image = std::move(larger);
 }
@@ -56,11 +58,12 @@ void overlay(TextureImage& image, const TextureImage& over, int channel) {
     const int from = hasAlpha(over) ? 3 : 0;
     for (std::size_t i = 0; i < texelCount(image); ++i) {
         const float value = texelOf(over, image, i)[from];
-        if (image.floats.empty())
+        if (image.floats.empty()) {
             image.bytes[i][channel] =
                 static_cast<glm::u8>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-        else
+        } else {
             image.floats[i][channel] = value;
+        }
     }
 }
 
@@ -83,8 +86,9 @@ DecodedTexture decode(const TextureSource& source) {
 Loaded load(const TextureSource& source) {
     try {
         DecodedTexture texture = decode(source);
-        for (const TextureOverlay& over : source.overlays)
+        for (const TextureOverlay& over : source.overlays) {
             overlay(texture.image, decode(over.source).image, over.channel);
+        }
         return {std::move(texture), ""};
     } catch (const TextureFailure& failure) {
         return {{}, failure.what()};
@@ -107,23 +111,26 @@ class TextureLoader {
     void dropUnusedMaterials() {
         std::vector<bool> used(scene_.materials.size(), false);
         for (const std::uint32_t material : scene_.triangleMaterial) {
-            if (material != kNoMaterial)
+            if (material != kNoMaterial) {
                 used[material] = true;
+            }
         }
         for (std::size_t i = 0; i < used.size(); ++i) {
             for (TextureRef* ref : texturesOf(scene_.materials[i])) {
-                if (!used[i])
+                if (!used[i]) {
                     *ref = TextureRef();
-                else if (ref->texture != kNoTexture)
+                } else if (ref->texture != kNoTexture) {
                     refs_.push_back(ref);
+                }
             }
         }
     }
 
     void loadImages(bool allowMissing) {
         std::vector<std::uint32_t> wanted;
-        for (const TextureRef* ref : refs_)
+        for (const TextureRef* ref : refs_) {
             wanted.push_back(scene_.textures[ref->texture].image);
+        }
         std::ranges::sort(wanted);
         wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
 
@@ -131,8 +138,9 @@ class TextureLoader {
         tbb::parallel_for(std::size_t{0}, wanted.size(),
                           [&](std::size_t i) { loaded[i] = metamarch::load(sources_[wanted[i]]); });
         for (std::size_t i = 0; i < wanted.size(); ++i) {
-            if (!loaded[i].failure.empty() && !allowMissing)
+            if (!loaded[i].failure.empty() && !allowMissing) {
                 file_.refuse(loaded[i].failure);
+            }
             if (!loaded[i].failure.empty()) {
                 file_.warn(loaded[i].failure + "; its uses are left out");
                 continue;
@@ -182,11 +190,13 @@ void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource
 
 TextureSource fileSource(const InputFile& file, const std::string& name) {
     const auto read = [&file, name] {
-        if (const std::string reason = file.whyNotReadable(name); !reason.empty())
+        if (const std::string reason = file.whyNotReadable(name); !reason.empty()) {
             throw TextureFailure(reason);
+        }
         std::optional<std::vector<unsigned char>> bytes = readBytes(file.companion(name));
-        if (!bytes)
+        if (!bytes) {
             throw TextureFailure("cannot be read");
+        }
         return std::move(*bytes);
     };
     return {"texture '" + name + "'", lowerCaseEnding(name), read};

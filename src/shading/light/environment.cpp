@@ -18,11 +18,13 @@ std::array<std::size_t, 3> colorChannels(const Image& image, const std::filesyst
     const auto red = image.findChannel("R");
     const auto green = image.findChannel("G");
     const auto blue = image.findChannel("B");
-    if (red && green && blue)
+    if (red && green && blue) {
         return {*red, *green, *blue};
+    }
     const auto grey = image.findChannel("Y");
-    if (grey || image.channels.size() == 1)
+    if (grey || image.channels.size() == 1) {
         return {grey.value_or(0), grey.value_or(0), grey.value_or(0)};
+    }
     throw Error(ErrorKind::inputRefused,
                 fmt::format("{}: an environment has channels R, G and B, or Y", file.string()));
 }
@@ -80,24 +82,28 @@ void mendNegativeLight(Environment& environment, const std::filesystem::path& fi
     std::size_t outsideGamut = 0;
     for (std::size_t i = 0; i < environment.texels.size(); ++i) {
         const glm::vec3& texel = environment.texels[i];
-        if (smallest(texel) >= 0.0f)
+        if (smallest(texel) >= 0.0f) {
             continue;
-        if (isOutsideGamut(texel))
+        }
+        if (isOutsideGamut(texel)) {
             ++outsideGamut;
-        else if (!isUndershoot(environment, i))
+        } else if (!isUndershoot(environment, i)) {
             refuseTexel(environment, i, file,
                         "light is not negative, but in colours outside Rec. 709 and beside light four times "
                         "as bright");
+        }
         mended.push_back(i);
     }
     // Change the texels only now: each was judged by its neighbours' original values.
-    for (const std::size_t i : mended)
+    for (const std::size_t i : mended) {
         environment.texels[i] = glm::max(environment.texels[i], 0.0f);
-    if (!mended.empty())
+    }
+    if (!mended.empty()) {
         environment.warnings.push_back(
             fmt::format("{}: channels below 0 are taken for 0; texels that have them: {} ({} colours outside "
                         "Rec. 709, {} undershoots of a filter beside brighter light)",
                         file.string(), mended.size(), outsideGamut, mended.size() - outsideGamut));
+    }
 }
 
 } // namespace
@@ -118,8 +124,9 @@ Environment loadEnvironment(const std::filesystem::path& file) {
             texel[c] = encoded ? decoded(value) : value;
         }
         environment.texels.push_back(texel);
-        if (!(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b)))
+        if (!(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b))) {
             refuseTexel(environment, i, file, "light is finite");
+        }
     }
     mendNegativeLight(environment, file);
     return environment;
