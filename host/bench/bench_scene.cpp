@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/bench_scene.h"
 
 #include "metamarch/bench/structure_cost.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene made ready for every backend, and rays with the hits they must find.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Google Benchmark of building tree and table.
 //
 //   metamarch_build_bench [options of Google Benchmark] [SCENE...]

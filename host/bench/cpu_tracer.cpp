@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/cpu_tracer.h"
 
 #include "metamarch/reference/triangle_records.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays through the judges, many at a time.
 #pragma once
 #include "metamarch/reference/twins.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/embree_peer.h"
 
 #include "metamarch/bench/hit_check.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Embree on the processor, in one thread, with the same rays: what a mature CPU ray tracer achieves. Built if
 // Embree 3 is found; METAMARCH_EMBREE is then defined.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compares a traversal's hits with the reference's.
 #pragma once
 #include "metamarch/reference/trace.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Measures a speed: after a warm-up, until there are enough runs and enough time has passed.
 #pragma once
 #include "metamarch/bench/statistics.h"

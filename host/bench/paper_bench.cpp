@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/paper_bench.h"
 
 #include "metamarch/bench/secondary_rays.h"

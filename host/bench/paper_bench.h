@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The paper's experiment (section 4) on its own models: visits per ray and render time of the stack traversal
 // and of the march, by view.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/paper_bench.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random numbers as a function of the seed, the index and how many were drawn: the same on every machine.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads the user's rays: --rays FILE.
 #pragma once
 #include "metamarch/bench/ray_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/ray_set.h"
 
 #include "metamarch/bench/random_numbers.h"

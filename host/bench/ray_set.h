@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rays of the benchmarks: the same on every machine and in every run.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

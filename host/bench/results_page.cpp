@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/results_page.h"
 
 #include "metamarch/bench/ray_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes the rows as a page for a README.
 #pragma once
 #include "metamarch/bench/row.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A measurement and its text formats.
 #pragma once
 #include <nlohmann/json.hpp>

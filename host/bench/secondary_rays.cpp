@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/secondary_rays.h"
 
 #include "metamarch/bench/cpu_tracer.h"

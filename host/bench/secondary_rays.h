@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays that start at the hits of other rays.
 #pragma once
 #include "metamarch/bench/ray_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Summarises repeated measurements.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/structure_cost.h"
 
 #include "metamarch/accel/structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a traversal's structure takes: bytes fetched, bytes kept, time to build.
 #pragma once
 #include "metamarch/accel/structure_set.h"

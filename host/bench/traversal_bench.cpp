@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/traversal_bench.h"
 
 #include "metamarch/bench/cpu_tracer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Measures traversals on one scene: on a device and, as CPU twins, in one thread.
 #pragma once
 #include "metamarch/bench/bench_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/views.h"
 
 #include <algorithm>

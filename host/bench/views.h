@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The benchmarks' cameras: four views along the axes.
 #pragma once
 #include "metamarch/scene/scene.h"

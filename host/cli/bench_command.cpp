@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/ray_set.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"

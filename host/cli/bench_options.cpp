@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/bench_options.h"
 
 #include "metamarch/cli/version.h"

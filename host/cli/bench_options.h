@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the benchmarks' sub-commands have in common.
 #pragma once
 #include "metamarch/bench/measurement.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/paper_bench.h"
 #include "metamarch/cli/bench_options.h"
 #include "metamarch/cli/commands.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The command line: sub-commands with their settings, parsed by CLI11, which this file keeps from all others.
 #pragma once
 #include "metamarch/cli/exit_code.h"

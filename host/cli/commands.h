@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sub-commands of the program.
 #pragma once
 #include "metamarch/cli/command_line.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
 #include "metamarch/image/comparison.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/device_settings.h"
 
 #include "metamarch/shaders/shader_library.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // On which device and by which traversal rays are traced.
 #pragma once
 #include "metamarch/accel/options.h"

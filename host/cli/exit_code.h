@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The exit codes of the program; `metamarch --help` lists them.
 #pragma once
 #include "metamarch/error/error.h"

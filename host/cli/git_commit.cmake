@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -DSOURCE=<repository root> -DOUTPUT=<header> -P git_commit.cmake
 # Run by every build; the header changes, and one file is recompiled, only when the commit does.
 cmake_policy(VERSION 3.25)

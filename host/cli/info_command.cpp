@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/structure_report.h"

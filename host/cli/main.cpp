@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program: runs one sub-command and turns every failure into one line and an exit code.
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/version.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/progress.h"
 
 #include <fmt/format.h>

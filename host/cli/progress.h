@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A progress bar on a terminal, nothing elsewhere.
 #pragma once
 #include <chrono>

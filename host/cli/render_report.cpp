@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/render_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What rendering took: for --stats and for the last line.
 #pragma once
 #include "metamarch/render/render.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/structure_report.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scene, tree and table in numbers: for `info` and for --stats.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/version.h"

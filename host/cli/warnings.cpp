@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/cli/warnings.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the user should know of a scene that is read all the same.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/cut_short.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Traversals that a driver ended before they were done.
 #pragma once
 #include "metamarch/vulkan/device.h"

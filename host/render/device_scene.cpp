@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/device_scene.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A prepared scene on a device.
 #pragma once
 #include "metamarch/render/prepared_scene.h"

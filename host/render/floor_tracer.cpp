@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/floor_tracer.h"
 
 namespace metamarch::render {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays whose hits are known in advance: the kernel `floor`, what tracing costs a device at least.
 #pragma once
 #include "metamarch/render/ray_batches.h"

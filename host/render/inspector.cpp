@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/inspector.h"
 
 #include "metamarch/shared/primary.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures that make the algorithm visible: the kernels `inspect` and `cells`.
 #pragma once
 #include "metamarch/render/scene_buffers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/kernel.h"
 
 #include "metamarch/shaders/shader_library.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Kernels that read no scene.
 #pragma once
 #include "metamarch/vulkan/compute_pipeline.h"

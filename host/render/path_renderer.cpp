@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/path_renderer.h"
 
 #include "metamarch/render/path_tracer.h"

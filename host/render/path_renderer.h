@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer on a Vulkan device.
 #pragma once
 #include "metamarch/reference/rows.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/path_tracer.h"
 
 #include "metamarch/render/cut_short.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer on a Vulkan device, one short submission at a time: for pictures that are rendered at one
 // go and for those that grow on a screen.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/picture.h"
 
 #include "metamarch/file/input_file.h"

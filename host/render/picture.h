@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From what was rendered to a picture and its file.
 #pragma once
 #include "metamarch/image/image.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/prepared_scene.h"
 
 #include "metamarch/shading/surroundings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene that is ready to be rendered: with its acceleration structure and under its light.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/primary_renderer.h"
 
 #include "metamarch/render/cut_short.h"

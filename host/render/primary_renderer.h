@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The `primary` integrator on a Vulkan device.
 #pragma once
 #include "metamarch/reference/rows.h"

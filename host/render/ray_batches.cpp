@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/ray_batches.h"
 
 #include "metamarch/vulkan/transfer.h"

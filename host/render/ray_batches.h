@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a kernel of one invocation per ray over any number of rays.
 #pragma once
 #include "metamarch/render/work_size.h"

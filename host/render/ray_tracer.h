@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
 #pragma once
 #include "metamarch/render/ray_batches.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/render.h"
 
 #include "metamarch/reference/path.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture of a scene, by any integrator, on a device or on the CPU.
 //
 //     const PreparedScene scene = ...;  // once: structure and light

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/resolver.h"
 
 #include "metamarch/render/kernel.h"

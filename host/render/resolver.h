@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From films to pictures of 8 bits, on the device: the kernel `resolve`.
 #pragma once
 #include "metamarch/image/tone_mapping.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/scene_buffers.h"
 
 #include "metamarch/accel/structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene on the device: the buffers that every kernel reads.
 #pragma once
 #include "metamarch/accel/structure_set.h"

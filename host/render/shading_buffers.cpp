@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/render/shading_buffers.h"
 
 #include "metamarch/vulkan/transfer.h"

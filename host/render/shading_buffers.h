@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the path tracer reads of a scene, on the device.
 #pragma once
 #include "metamarch/shared/shading_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Wall-clock seconds since it was made.
 #pragma once
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The views of inspect_view.h: how menus and command lines name them, and what they want.
 #pragma once
 #include "metamarch/shared/inspect_view.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much work goes into one submission.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/settings/render_settings.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Arguments that are several numbers: x,y,z and WxH.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The settings of a picture, family by family: each function declares how its struct is set.
 #pragma once
 #include "metamarch/accel/options.h"

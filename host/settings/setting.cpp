@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/settings/setting.h"
 
 #include "metamarch/settings/number_list.h"

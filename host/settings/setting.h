@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One declaration of each value that a user may set. The command line, its help, the viewer's panel, the
 // statistics and the headers of pictures all read the same list of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/partition_file.h"
 #include "metamarch/settings/number_list.h"
 #include "metamarch/settings/render_settings.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/actions.h"
 
 #include "metamarch/render/scene_buffers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What keys and buttons ask for that changes nothing but the state.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"

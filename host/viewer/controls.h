@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mouse and keyboard.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that somebody else may change.
 #pragma once
 #include <chrono>

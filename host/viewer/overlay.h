@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines and labels drawn over the picture: the legend of a view, the line between two sides, what is picked,
 // the march of a ray.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/panels.h"
 
 #include "metamarch/render/view_names.h"

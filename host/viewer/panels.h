@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panels over the picture.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/pick.h"
 
 namespace metamarch::viewer {

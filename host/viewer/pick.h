@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What lies under a pixel of the window: found on the CPU, by the judge.
 #pragma once
 #include "metamarch/reference/march_log.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/picture_saver.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures from the window to files, by the code that writes those of `metamarch render`.
 #pragma once
 #include "metamarch/viewer/progressive_image.h"

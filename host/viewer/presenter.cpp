@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/presenter.h"
 
 #include "metamarch/vulkan/refusal.h"

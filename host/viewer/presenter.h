@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Puts pictures and panels into the window.
 #pragma once
 #include "metamarch/viewer/swapchain.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/progressive_image.h"
 
 #include "metamarch/shared/primary.h"

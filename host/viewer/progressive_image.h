@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One picture of one size that grows: the path tracer's film, or a view of the algorithm.
 #pragma once
 #include "metamarch/render/device_scene.h"

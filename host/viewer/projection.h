@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // World to window.
 #pragma once
 #include "metamarch/shared/camera.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/scene_loader.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes read and built by a thread of their own, so that the window goes on meanwhile.
 #pragma once
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/shader_compiler.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // GLSL to SPIR-V while the program runs, as the build does it: through glslang.
 #pragma once
 #include "metamarch/shaders/shader_library.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shaders that replace those the program contains, while somebody edits them.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/shader_reload.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shaders compiled anew while somebody edits them.
 #pragma once
 #include "metamarch/viewer/file_watch.h"

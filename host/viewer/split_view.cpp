@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/split_view.h"
 
 #include <algorithm>

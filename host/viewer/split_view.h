@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window's picture: one viewport, or two side by side.
 #pragma once
 #include "metamarch/render/stopwatch.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/swapchain.h"
 
 #include "metamarch/error/error.h"

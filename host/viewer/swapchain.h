@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The images that a window shows one after the other.
 #pragma once
 #include "metamarch/vulkan/device.h"

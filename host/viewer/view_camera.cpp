@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/view_camera.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the viewer looks from, and how hands move it. No window in here.
 #pragma once
 #include "metamarch/shading/view.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The interactive viewer: `metamarch view`.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/viewer_state.h"
 
 #include <fmt/format.h>

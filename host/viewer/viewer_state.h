@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window's parts share: controls and panels change it, the viewer acts on what has changed.
 #pragma once
 #include "metamarch/image/tone_mapping.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/viewer/viewport.h"
 
 #include "metamarch/render/kernel.h"

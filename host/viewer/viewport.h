@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one traversal shows of the scene at the window's size: at once and coarse, then fine.
 #pragma once
 #include "metamarch/viewer/presenter.h"

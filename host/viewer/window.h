@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window, through GLFW: its surface, its size, what hands and other programs do to it.
 #pragma once
 #include <glm/glm.hpp>

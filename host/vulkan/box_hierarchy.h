@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The driver's bounding volume hierarchy over boxes, for ray queries: VK_KHR_acceleration_structure.
 #pragma once
 #include "metamarch/vulkan/buffer.h"

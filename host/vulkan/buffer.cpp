@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/buffer.h"
 
 #include "metamarch/error/error.h"

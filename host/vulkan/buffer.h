@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A buffer with its own memory.
 #pragma once
 #include "metamarch/vulkan/device.h"

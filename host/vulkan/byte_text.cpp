@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Formats byte counts for messages and reports.
 #pragma once
 #include <cstdint>

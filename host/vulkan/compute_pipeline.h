@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
 #pragma once
 #include "metamarch/vulkan/box_hierarchy.h"

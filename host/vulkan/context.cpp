@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/context.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Vulkan instance: loader, version, validation. It knows nothing about windows; a caller with a window
 // passes the extensions for it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An open device with a compute queue, a command pool and a pipeline cache.
 #pragma once
 #include "metamarch/vulkan/context.h"

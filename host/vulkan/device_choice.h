@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Chooses the device to run on.
 #pragma once
 #include "metamarch/vulkan/device_report.h"

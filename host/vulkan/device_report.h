@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The properties of a device, those of its limits that we depend on, and the reasons why we refuse it.
 #pragma once
 #include "metamarch/vulkan/context.h"

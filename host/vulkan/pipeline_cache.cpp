@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/pipeline_cache.h"
 
 #include <fmt/format.h>

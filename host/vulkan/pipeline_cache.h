@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The driver's compiled pipelines, kept on disk between runs.
 #pragma once
 #include <vulkan/vulkan_raii.hpp>

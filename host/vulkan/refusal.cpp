@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Converts Vulkan's error codes to Error.
 #pragma once
 #include "metamarch/error/error.h"

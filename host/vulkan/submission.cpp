@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/submission.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A bounded piece of work for the device: record, submit, wait, time.
 #pragma once
 #include "metamarch/vulkan/buffer.h"

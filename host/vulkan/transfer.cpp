@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/transfer.h"
 
 #include "metamarch/vulkan/submission.h"

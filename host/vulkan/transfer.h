@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Copies between the host and device-local buffers, through host-visible memory of bounded size.
 #pragma once
 #include "metamarch/vulkan/buffer.h"

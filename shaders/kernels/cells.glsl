@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One invocation a pixel: the ray through its centre, and what the meta table holds where it hits. Only the
 // table knows that, so this kernel has its march whatever traversal draws the other views.
 #include "lib/picture.glsl"

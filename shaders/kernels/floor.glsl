@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a ray costs when its hit is known in advance: ray and record in, one triangle test, hit out. No
 // traversal can do less, so benchmarks give each one's time as a multiple of this.
 #include "lib/rays.glsl"

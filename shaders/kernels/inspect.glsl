@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One invocation a pixel: the ray through its centre, the closest hit, and the colour of one view of them.
 #include "lib/picture.glsl"
 #include "lib/shading.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer, one invocation a pixel. Each turn of the loop takes a path to its next surface and on; a
 // path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
 // neighbours' longer paths, and no state of a path ever leaves the registers. A

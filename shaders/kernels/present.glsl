@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A fine picture over a coarse one at the screen's size, one invocation a pixel of the screen.
 #include "shared/scene_layout.h"
 #include "shared/screen.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One invocation a pixel: camera ray, closest hit, head-light shading.
 #include "lib/tiles.glsl"
 

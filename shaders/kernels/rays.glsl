@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ray buffer in, hit buffer out: what tests and benchmarks run.
 #include "lib/rays.glsl"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The light of some tiles of a film as 8 bits a channel, one invocation a pixel.
 #include "lib/tiles.glsl"
 #include "shared/film.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bounding volume hierarchy.
 #ifndef METAMARCH_LIB_BVH_GLSL
 #define METAMARCH_LIB_BVH_GLSL

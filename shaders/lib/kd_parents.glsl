@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kd-tree with the way back up: each node's box and parent.
 #ifndef METAMARCH_LIB_KD_PARENTS_GLSL
 #define METAMARCH_LIB_KD_PARENTS_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kd-tree with ropes: what lies behind each face of each leaf.
 #ifndef METAMARCH_LIB_KD_ROPES_GLSL
 #define METAMARCH_LIB_KD_ROPES_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kd-tree: inner nodes and leaves.
 #ifndef METAMARCH_LIB_KD_TREE_GLSL
 #define METAMARCH_LIB_KD_TREE_GLSL

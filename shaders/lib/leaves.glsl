@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The leaves of the kd-tree, which the meta table names too.
 #ifndef METAMARCH_LIB_LEAVES_GLSL
 #define METAMARCH_LIB_LEAVES_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the kernels read the scene: through storage buffers, or, where METAMARCH_TEXEL_BUFFERS is 1, through
 // texel buffers, which llvmpipe (Mesa 22.3.6) reads 1.4 times as fast. Each line declares an array of 1, 2 or
 // 4 words an entry; `load…` reads one entry. Nothing else in shaders/ knows which memory it is.

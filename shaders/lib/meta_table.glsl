@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meta table and its leaves.
 #ifndef METAMARCH_LIB_META_TABLE_GLSL
 #define METAMARCH_LIB_META_TABLE_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the kernels have that draw one packed pixel an invocation: camera and picture.
 #ifndef METAMARCH_LIB_PICTURE_GLSL
 #define METAMARCH_LIB_PICTURE_GLSL

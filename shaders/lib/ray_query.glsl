@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The driver's hierarchy: a box per triangle record, the primitive index being the record's index.
 #ifndef METAMARCH_LIB_RAY_QUERY_GLSL
 #define METAMARCH_LIB_RAY_QUERY_GLSL

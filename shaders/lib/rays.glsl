@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays given one by one, and where their hits go.
 #ifndef METAMARCH_LIB_RAYS_GLSL
 #define METAMARCH_LIB_RAYS_GLSL

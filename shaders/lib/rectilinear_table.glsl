@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rectilinear table: planes, look-ups along the axes, and the table over the cells between the planes.
 #ifndef METAMARCH_LIB_RECTILINEAR_TABLE_GLSL
 #define METAMARCH_LIB_RECTILINEAR_TABLE_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every traversal reads of the scene: lattice, materials and triangle records. The structures that only
 // some of them walk are in the other files of this folder; nothing outside it knows how memory is reached.
 #ifndef METAMARCH_LIB_SCENE_GLSL

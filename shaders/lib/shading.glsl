@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What shading reads of the scene. shared/shading_scene.h has the same functions for the CPU.
 #ifndef METAMARCH_LIB_SHADING_GLSL
 #define METAMARCH_LIB_SHADING_GLSL

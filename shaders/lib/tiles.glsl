@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which pixel an invocation works on.
 #ifndef METAMARCH_LIB_TILES_GLSL
 #define METAMARCH_LIB_TILES_GLSL

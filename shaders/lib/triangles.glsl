@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The triangle records, the largest array of a scene.
 #ifndef METAMARCH_LIB_TRIANGLES_GLSL
 #define METAMARCH_LIB_TRIANGLES_GLSL

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The uniform grid.
 #ifndef METAMARCH_LIB_UNIFORM_GRID_GLSL
 #define METAMARCH_LIB_UNIFORM_GRID_GLSL

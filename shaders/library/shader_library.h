@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The compiled shaders, embedded in the program: shaders/CMakeLists.txt lists kernels and traversals.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Directional albedos: the part of the light from one direction that a lobe scatters in all. Cosines are
 // positive.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Evaluates and samples the BSDF of bsdf_model.h. Sampling chooses one lobe; the pdf is that of the whole
 // mixture. Directions have unit length, are in world space and point away from the surface.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The glTF 2.0 material as a BSDF, prepared for one hit: all that depends on the direction to the eye, `wo`,
 // and not on the light's. bsdf.h evaluates and samples it.
 //

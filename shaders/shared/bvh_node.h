@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One inner node of the bounding volume hierarchy: the boxes of its two children, in lattice space.
 #ifndef METAMARCH_SHARED_BVH_NODE_H
 #define METAMARCH_SHARED_BVH_NODE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera rays; host and device share this definition.
 #ifndef METAMARCH_SHARED_CAMERA_H
 #define METAMARCH_SHARED_CAMERA_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Debug views of the meta table at the point that a camera ray hit: from cell and leaf to a pixel's colour.
 #ifndef METAMARCH_SHARED_CELLS_H
 #define METAMARCH_SHARED_CELLS_H

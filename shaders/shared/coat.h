@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The clear coat of KHR_materials_clearcoat: isotropic microfacets with ior 1.5 and a separate normal.
 #ifndef METAMARCH_SHARED_COAT_H
 #define METAMARCH_SHARED_COAT_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light from all directions as an equirectangular map: u = 0.5 + atan2(z, x) / 2 pi from the left, v =
 // acos(y) / pi from the top. Texels are sampled by the light that they send: one table for the rows, and for
 // each row one for its columns.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours for numbers that are none.
 #ifndef METAMARCH_SHARED_FALSE_COLOR_H
 #define METAMARCH_SHARED_FALSE_COLOR_H

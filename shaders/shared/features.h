@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of the material model and of the light's transport a scene uses.
 //
 // A driver that runs both sides of a branch pays for what a scene does not use. A kernel may define

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an integrator collects of a pixel. src/image/aov.cpp says which channels of a picture are made of it.
 #ifndef METAMARCH_SHARED_FILM_H
 #define METAMARCH_SHARED_FILM_H

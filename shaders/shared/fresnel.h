@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reflectance of a smooth interface. Every cosine is that of the angle to the (micro)facet's normal.
 #ifndef METAMARCH_SHARED_FRESNEL_H
 #define METAMARCH_SHARED_FRESNEL_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The uniform grid and the steps through it. The loops are in traversal/uniform_grid.glsl and its CPU twin.
 #ifndef METAMARCH_SHARED_GRID_WALK_H
 #define METAMARCH_SHARED_GRID_WALK_H

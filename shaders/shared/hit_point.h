@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The point that a ray hit, and rays that leave it.
 #ifndef METAMARCH_SHARED_HIT_POINT_H
 #define METAMARCH_SHARED_HIT_POINT_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The views of surfaces and of the work that a ray took: from what is known of a camera ray to a pixel.
 #ifndef METAMARCH_SHARED_INSPECT_H
 #define METAMARCH_SHARED_INSPECT_H

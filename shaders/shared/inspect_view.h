@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The views that make the algorithm visible, and what their kernels, `inspect` and `cells`, have in common.
 #ifndef METAMARCH_SHARED_INSPECT_VIEW_H
 #define METAMARCH_SHARED_INSPECT_VIEW_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The few words that let one header be read as GLSL and as C++ (with GLM).
 #ifndef METAMARCH_SHARED_INTEROP_H
 #define METAMARCH_SHARED_INTEROP_H

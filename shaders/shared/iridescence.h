@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reflectance of a thin film over a base: KHR_materials_iridescence, after L. Belcour, P. Barla, "A
 // Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence", 2017.
 #ifndef METAMARCH_SHARED_IRIDESCENCE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One node of the kd-tree, 8 bytes, in depth-first order: the child below the plane is the next node.
 #ifndef METAMARCH_SHARED_KD_NODE_H
 #define METAMARCH_SHARED_KD_NODE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The way back up the kd-tree: one record per node.
 #ifndef METAMARCH_SHARED_KD_PARENT_H
 #define METAMARCH_SHARED_KD_PARENT_H

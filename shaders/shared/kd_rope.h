@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ropes: for each face of each leaf the smallest node that holds everything behind the face.
 #ifndef METAMARCH_SHARED_KD_ROPE_H
 #define METAMARCH_SHARED_KD_ROPE_H

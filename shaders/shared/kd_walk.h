@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every walk down the kd-tree does at an inner node; the loops are in traversal/kd_*.glsl and their CPU
 // twins.
 #ifndef METAMARCH_SHARED_KD_WALK_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples lights, and points and directions on them.
 #ifndef METAMARCH_SHARED_LIGHT_H
 #define METAMARCH_SHARED_LIGHT_H

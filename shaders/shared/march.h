@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steps of the march through the meta table; the loops are in traversal/meta_table.glsl and its CPU twin.
 #ifndef METAMARCH_SHARED_MARCH_H
 #define METAMARCH_SHARED_MARCH_H

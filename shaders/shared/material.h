@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a hit to what the BSDF wants: vertex attributes interpolated, textures looked up.
 #ifndef METAMARCH_SHARED_MATERIAL_H
 #define METAMARCH_SHARED_MATERIAL_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the path tracer knows of a material: the one declaration of every parameter and every texture.
 //
 // The file is included once for each thing that is made of the list, with PARAMETER and TEXTURE defined as

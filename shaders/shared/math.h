@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elementary functions that drivers may only approximate, made of operations that round the same on host and
 // device. Errors are in ulps of the exact result; tests/shading measures each over its domain. Results too
 // small for a normal float are 0, because devices may flush denormals.

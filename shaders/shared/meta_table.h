@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meta table's memory: two levels, so that its size follows the leaves' faces and not the lattice's
 // volume.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Trowbridge-Reitz (GGX) distribution of microfacets with Smith masking, and the sampling of the facets
 // that are visible from a direction. Directions are in the frame of the surface, whose normal is the z axis;
 // alpha is the roughness along x and y. E. Heitz, "Understanding the Masking-Shadowing Function in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From linear light to the 8 bits a screen shows.
 #ifndef METAMARCH_SHARED_PACKED_PIXEL_H
 #define METAMARCH_SHARED_PACKED_PIXEL_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer: a path from the camera, one surface at a time, with next-event estimation.
 //
 // Light is found in two ways, by sampling lights and by sampling the BSDF, weighted against each other: E.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the kernel `path` is told.
 #ifndef METAMARCH_SHARED_PATH_INPUT_H
 #define METAMARCH_SHARED_PATH_INPUT_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a path tracer is asked for, and what it needs to know of the scene as a whole.
 #ifndef METAMARCH_SHARED_PATH_SETTINGS_H
 #define METAMARCH_SHARED_PATH_SETTINGS_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The `primary` integrator: what the camera sees, lit by a lamp at the eye.
 #ifndef METAMARCH_SHARED_PRIMARY_H
 #define METAMARCH_SHARED_PRIMARY_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ray set-up: computes once everything that traversals and triangle tests need of a ray, with the same bits
 // on host and device.
 //

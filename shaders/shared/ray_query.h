@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays and hits as the kernel `rays` and the judges exchange them.
 #ifndef METAMARCH_SHARED_RAY_QUERY_H
 #define METAMARCH_SHARED_RAY_QUERY_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The lattice of uneven cells and the steps through it; the loops are in traversal/rectilinear_table.glsl and
 // its CPU twin.
 #ifndef METAMARCH_SHARED_RECTILINEAR_H

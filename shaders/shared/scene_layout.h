@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scene buffers as both sides see them: the host writes these structs, the shaders and the judges read them.
 // A vec3 is always followed by one 4-byte scalar, so std430, scalar and C++ agree on every offset.
 #ifndef METAMARCH_SHARED_SCENE_LAYOUT_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The light of a scene: emitters, punctual lights and the environment, sampled by their power.
 #ifndef METAMARCH_SHARED_SCENE_LIGHT_H
 #define METAMARCH_SHARED_SCENE_LIGHT_H

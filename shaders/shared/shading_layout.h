@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What shading reads of a scene, as both sides see it: surfaces, materials, textures, lights.
 #ifndef METAMARCH_SHARED_SHADING_LAYOUT_H
 #define METAMARCH_SHARED_SHADING_LAYOUT_H

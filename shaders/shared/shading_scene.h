@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the path tracer reads of a scene, in the layout that crosses the bus, and how the CPU reads it.
 #pragma once
 #include "features.h"

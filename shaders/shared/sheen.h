@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sheen of KHR_materials_sheen: A. Conty Estevez, C. Kulla, "Production Friendly Microfacet Sheen BRDF",
 // 2017.
 #ifndef METAMARCH_SHARED_SHEEN_H

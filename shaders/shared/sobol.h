@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random numbers as a function of pixel, sample, dimension and seed. There is no state, so every tile, crop,
 // sample range and device draws the same samples.
 //

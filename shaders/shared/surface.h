@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What shading knows of the point that a ray hit: the glTF 2.0 material with all textures looked up, and the
 // directions of the surface. It is the input of bsdf.h.
 #ifndef METAMARCH_SHARED_SURFACE_H

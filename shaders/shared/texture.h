@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Texture look-up: transform, wrap modes, mip levels, nearest or bilinear filter, sRGB decoding.
 #ifndef METAMARCH_SHARED_TEXTURE_H
 #define METAMARCH_SHARED_TEXTURE_H

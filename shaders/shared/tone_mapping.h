@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maps a scene's radiance to a screen's.
 #ifndef METAMARCH_SHARED_TONE_MAPPING_H
 #define METAMARCH_SHARED_TONE_MAPPING_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The triangle test of every traversal, on both sides.
 #ifndef METAMARCH_SHARED_TRIANGLE_H
 #define METAMARCH_SHARED_TRIANGLE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests every triangle of the scene.
 //
 // No structure at all: the measure of what the others save, and the one that cannot lose a triangle.

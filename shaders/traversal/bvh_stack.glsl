@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks a bounding volume hierarchy, the nearer child first, and keeps the farther ones on a stack.
 //
 // A node holds the boxes of both children, so that one visit decides on two: T. Aila, S. Laine,

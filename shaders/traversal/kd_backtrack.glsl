@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks the kd-tree without a stack: after each leaf it climbs to the first ancestor that the ray is still
 // in.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // kd_restart that starts again no higher than it must: at the lowest node that holds the rest of the ray.
 //
 // D. R. Horn, J. Sugerman, M. Houston, P. Hanrahan, "Interactive k-D Tree GPU Raytracing", I3D 2007: while a

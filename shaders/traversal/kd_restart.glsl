@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks the kd-tree without a stack: after each leaf it starts again at the root, further along the ray.
 //
 // T. Foley, J. Sugerman, "KD-Tree Acceleration Structures for a GPU Raytracer", Graphics Hardware 2005.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Follows ropes from leaf to leaf of the kd-tree: each face of a leaf names the smallest node behind it.
 //
 // S. Popov, J. Guenther, H.-P. Seidel, P. Slusallek, "Stackless KD-Tree Traversal for High Performance GPU

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks the kd-tree with a stack of four entries and restarts, pushed down, when it has lost one.
 //
 // D. R. Horn, J. Sugerman, M. Houston, P. Hanrahan, "Interactive k-D Tree GPU Raytracing", I3D 2007. The

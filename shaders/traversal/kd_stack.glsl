@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks the kd-tree front to back and keeps the far children for later on a stack.
 //
 // The classic: M. Pharr, G. Humphreys, "Physically Based Rendering", 2004, section 4.4; figures 3 and 4 of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marches the meta table: one look-up per leaf crossed, no stack, no tree.
 //
 // The ray's cell names its leaf; the leaf is tested; the ray leaves the leaf's exit box through one of the

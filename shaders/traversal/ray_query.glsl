@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Asks the driver: its own hierarchy, walked by its own hardware where there is some (VK_KHR_ray_query).
 //
 // The hierarchy holds one box per triangle record, and each box that the driver finds is a candidate whose

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marches a meta table over uneven cells: those between the planes of a kd-tree that lie on no lattice.
 //
 // The third way to a table, beside the two methods of Seo, Kang, Yang, "An Effective Ray Tracing Algorithm

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steps through a uniform grid, cell by cell.
 //
 // J. Amanatides, A. Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics 1987, with one

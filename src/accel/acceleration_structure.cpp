@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/acceleration_structure.h"
 
 #include "metamarch/accel/exit_boxes.h"

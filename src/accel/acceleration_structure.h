@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that tracing a scene needs: the lattice, the kd-tree, the meta table and the triangle records.
 #pragma once
 #include "metamarch/accel/gcd_lattice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/bvh.h"
 
 #include "metamarch/accel/triangle_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bounding volume hierarchy (BVH): a binary tree of boxes in which each triangle lies in exactly one
 // leaf.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An axis-aligned box of whole lattice cells.
 #pragma once
 #include "metamarch/shared/scene_layout.h"

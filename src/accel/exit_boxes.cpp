@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/exit_boxes.h"
 
 #include "metamarch/accel/cell_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exit boxes: how far a ray may advance once it has tested a leaf.
 #pragma once
 #include "metamarch/accel/leaf_list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/gcd_lattice.h"
 
 #include "metamarch/error/error.h"

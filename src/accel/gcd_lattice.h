@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Method 2 of the paper: build the kd-tree first, then find the unit lengths of which all its planes are
 // multiples. The greatest common divisor of floats has no meaning, so planes are first rounded to multiples
 // of a quantum.

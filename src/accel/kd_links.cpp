@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/kd_links.h"
 
 #include "metamarch/shared/kd_rope.h"

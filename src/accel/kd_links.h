@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Links over a finished kd-tree, for traversals that climb it (parents) or follow ropes.
 #pragma once
 #include "metamarch/accel/kd_tree.h"

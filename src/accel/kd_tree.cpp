@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/kd_tree.h"
 
 #include "metamarch/accel/lattice.h"

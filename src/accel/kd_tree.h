@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kd-tree. Its split planes are lattice planes, so every leaf is a box of whole cells.
 #pragma once
 #include "metamarch/accel/leaf_list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/lattice.h"
 
 #include "metamarch/error/error.h"

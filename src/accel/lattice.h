@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The uniform lattice on which all split planes and table cells lie.
 #pragma once
 #include "metamarch/accel/cell_box.h"

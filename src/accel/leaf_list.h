@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Leaves and the triangles that they list, independent of what made them.
 #pragma once
 #include "metamarch/shared/scene_layout.h"

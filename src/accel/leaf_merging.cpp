@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/leaf_merging.h"
 
 #include "metamarch/accel/cell_box.h"

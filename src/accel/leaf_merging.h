@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Merging: joins two leaves that share a face where that does not make rays more expensive.
 #pragma once
 #include "metamarch/accel/leaf_list.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/meta_table.h"
 
 #include "metamarch/accel/cell_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The meta table: for every cell of the lattice, the leaf it belongs to and how far a ray may advance from
 // there.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a user may choose about the tree and the table.
 #pragma once
 #include "metamarch/accel/partition.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/partition.h"
 
 #include "metamarch/accel/lattice.h"

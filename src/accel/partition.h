@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Partitions: boxes of whole cells that tile the lattice, whether or not a kd-tree could produce them. Seo,
 // Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table", section 5 and figure 11.
 #pragma once

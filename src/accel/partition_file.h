@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads a user's partition from a file:
 //   {"resolution": [3, 3, 1], "boxes": [[0, 0, 0, 2, 1, 1], ...]}
 // `resolution` is the number of cells along x, y and z. A box is its first cell and the cell behind its last

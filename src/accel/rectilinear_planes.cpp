@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/rectilinear_planes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The planes of a lattice of uneven cells, and the search that finds the cell of a position.
 #pragma once
 #include "metamarch/accel/triangle_clip.h"

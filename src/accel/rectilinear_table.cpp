@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/rectilinear_table.h"
 
 #include "metamarch/accel/exit_boxes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rectilinear table: keeps the planes of any kd-tree unchanged and builds a meta table over the uneven
 // cells between them.
 #pragma once

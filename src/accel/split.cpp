@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/split.h"
 
 #include <tbb/parallel_for.h>

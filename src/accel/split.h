@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Chooses where to split a kd-tree node: the surface area heuristic over every lattice plane inside the node.
 #pragma once
 #include "metamarch/accel/triangle_clip.h"

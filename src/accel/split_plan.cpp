@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/split_plan.h"
 
 #include "metamarch/accel/lattice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The splits of a kd-tree whose planes lie at the ends of the triangles rather than on a lattice. Method 2
 // and the rectilinear table start from them.
 #pragma once

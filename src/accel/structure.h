@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a traversal walks, declared once: the device gets its arrays from here, and benchmarks what it costs.
 #pragma once
 #include "metamarch/accel/structure_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/structure_set.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every structure that some traversal walks, over one scene; each is built when first asked for.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

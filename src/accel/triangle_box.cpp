@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/triangle_box.h"
 
 #include "metamarch/accel/lattice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes around triangles, for box hierarchies. They are in lattice space and enlarged so that no rounding
 // between ray and box can lose a hit.
 #pragma once

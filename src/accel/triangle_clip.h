@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the cells that a triangle touches inside a box of cells; it never misses one.
 #pragma once
 #include "metamarch/accel/triangle_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/accel/uniform_grid.h"
 
 #include "metamarch/accel/triangle_clip.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The uniform grid: every cell lists the triangles near it.
 #pragma once
 #include "metamarch/accel/lattice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The project's only exception.
 #pragma once
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The file being imported: which companion files it may read, and the errors and warnings about it.
 #pragma once
 #include <cstddef>

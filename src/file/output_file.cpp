@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/file/output_file.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An output file that appears under its name only when it is complete.
 #pragma once
 #include <cstddef>

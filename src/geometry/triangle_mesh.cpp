@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/geometry/triangle_mesh.h"
 
 #include <limits>

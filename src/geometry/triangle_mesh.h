@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangles as acceleration structures and reference tracers take them: spans of positions and vertex
 // indices.
 #pragma once

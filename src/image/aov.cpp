@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/image/aov.h"
 
 #include <fmt/format.h>

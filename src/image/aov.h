@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a picture can say of a pixel: the list of all channels (AOVs, arbitrary output variables).
 #pragma once
 #include "metamarch/shared/film.h"

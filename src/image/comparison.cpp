@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/image/comparison.h"
 
 #include "metamarch/image/aov.h"

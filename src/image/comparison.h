@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far apart two pictures are, in numbers.
 #pragma once
 #include "metamarch/image/image.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The film of an integrator as a picture.
 #pragma once
 #include "metamarch/image/aov.h"

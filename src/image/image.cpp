@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/image/image.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A picture in memory: any number of named 32-bit float channels.
 #pragma once
 #include <cstddef>

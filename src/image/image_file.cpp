@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/image/image_file.h"
 
 #include "metamarch/error/error.h"

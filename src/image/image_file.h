@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures to and from files. Every failure is an Error of one line that names the file.
 #pragma once
 #include "metamarch/image/image.h"

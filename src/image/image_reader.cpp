@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // readImage of image_file.h. Files are untrusted: memory grows with what was really read, not with what a
 // header says.
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/image/tone_mapping.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From linear light to the 8 bits a screen shows, as a user asks for it.
 #pragma once
 #include "metamarch/shared/tone_mapping.h"

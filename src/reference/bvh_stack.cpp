@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/require.h"
 #include "metamarch/reference/triangle_records.h"
 #include "metamarch/reference/twins.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/march_log.h"
 
 #include "metamarch/reference/meta_table_march.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The march of one ray through the meta table, step by step.
 #pragma once
 #include "metamarch/accel/cell_box.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/meta_table_march.h"
 #include "metamarch/reference/twins.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The loop of the march through the meta table, and whoever wants to watch it.
 #pragma once
 #include "metamarch/reference/require.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/path.h"
 
 #include "metamarch/reference/trace.h"

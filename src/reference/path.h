@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer on the CPU, over the stack traversal: the judge of shaders/kernels/path.glsl.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/primary.h"
 
 #include "metamarch/reference/triangle_records.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The `primary` integrator on the CPU, over the stack traversal.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

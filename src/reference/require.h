@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The invariants that the twins assert.
 #pragma once
 #include "metamarch/shared/interop.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/rows.h"
 
 #include <tbb/parallel_for.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures row by row, on all cores.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The judges: ways to find a ray's hit on the CPU. All of them read the same records with the same triangle
 // test and must name the same triangle at the same t, to the bit.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Testing triangle records on the CPU: the judges' counterpart of shaders/lib/scene.glsl.
 #pragma once
 #include "metamarch/reference/trace.h"

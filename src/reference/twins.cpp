@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/reference/twins.h"
 
 #include <algorithm>

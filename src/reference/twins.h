@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The CPU twins of the traversals of shaders/traversal: the same algorithm, step for step, with the same
 // counters.
 #pragma once

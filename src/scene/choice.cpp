@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/choice.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds what the user selects, by name or index, among the elements of a scene.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/import.h"
 
 #include "metamarch/error/error.h"

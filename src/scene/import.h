@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Imports scene files.
 #pragma once
 #include "metamarch/scene/scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/instance_writer.h"
 
 #include "metamarch/scene/normal_matrix.h"

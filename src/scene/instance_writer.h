@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes a mesh instance into a scene, in world space. All importers put their geometry into a Scene through
 // this.
 #pragma once

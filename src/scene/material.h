@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials, with glTF's names, units and defaults.
 #pragma once
 #include "metamarch/scene/texture.h"

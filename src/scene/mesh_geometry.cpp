@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh_geometry.h"
 
 #include "metamarch/scene/tangent_space.h"

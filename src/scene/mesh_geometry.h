@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part of a mesh in its own space, before it is placed in a scene.
 #pragma once
 #include "metamarch/file/input_file.h"

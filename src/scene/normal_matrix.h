@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How transforms act on normals and on a surface's orientation.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene as all later stages see it: world-space triangles, materials, textures, lights and cameras. Nothing
 // in it depends on a file format.
 #pragma once

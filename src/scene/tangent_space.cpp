@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/tangent_space.h"
 
 #include <algorithm>

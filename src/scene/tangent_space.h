@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tangents by the MikkTSpace algorithm, which glTF 2.0 (3.7.2.1) prescribes for files without tangents.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Texture images, samplers, and the references of materials to them.
 #pragma once
 #include <glm/glm.hpp>

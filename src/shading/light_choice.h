@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light that does not come from the scene's file, as a user asks for it.
 #pragma once
 #include <glm/glm.hpp>

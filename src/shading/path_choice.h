@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a user asks of the path tracer.
 #pragma once
 #include "metamarch/shading/shading_builder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/shading.h"
 
 namespace metamarch {

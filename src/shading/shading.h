@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What shading reads of a scene, in the layout that crosses the bus.
 #pragma once
 #include "metamarch/scene/scene.h"

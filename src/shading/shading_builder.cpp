@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/shading_builder.h"
 
 #include "metamarch/shading/light/light_store.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a scene and its light to what the path tracer reads.
 #pragma once
 #include "metamarch/scene/scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/surroundings.h"
 
 #include "metamarch/shading/light/sky.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light that does not come from the scene's file.
 #pragma once
 #include "metamarch/scene/scene.h"

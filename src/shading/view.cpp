@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/view.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Turns a scene's camera, or a default, into the camera that shaders and the reference trace.
 #pragma once
 #include "metamarch/scene/scene.h"

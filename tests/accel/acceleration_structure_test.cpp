@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes with few triangles or none.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ray leaves a tested leaf through its exit box, so every triangle in that box must have been tested.
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Method 2: the tree's own planes, rounded to quanta, and the lattice that contains them all.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What all users of the tree rely on: its leaves tile the lattice, and each lists all of its triangles.
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"

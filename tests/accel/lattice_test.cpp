@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The lattice's number of cells, its position, and the scenes and options that it refuses.
 #include "fixtures/expect_error.h"
 #include "metamarch/accel/lattice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every cell names the leaf that holds it, no matter how the table saves memory.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "accel/overlap.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A triangle-box overlap test that does not share the builder's method; it checks clipping and leaves.
 #pragma once
 #include "metamarch/accel/triangle_clip.h"

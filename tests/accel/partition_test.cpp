@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes that no kd-tree made must tile the lattice and list their triangles; then rays march through them.
 #include "accel/overlap.h"
 #include "accel/pinwheel.h"

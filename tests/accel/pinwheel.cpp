@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "accel/pinwheel.h"
 
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Partitions that no kd-tree can produce: every plane cuts one of their boxes.
 #pragma once
 #include "metamarch/accel/partition.h"

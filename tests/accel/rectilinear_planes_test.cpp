@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A lattice of uneven cells: its planes, and the search for the cell of a position.
 #include "metamarch/accel/rectilinear_planes.h"
 #include "metamarch/accel/triangle_clip.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rectilinear table: keeps a kd-tree's planes unchanged; checked cell by cell.
 #include "fixtures/expect_error.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The builder's choice of a split, against the cost of every plane found by counting.
 #include "metamarch/accel/split.h"
 

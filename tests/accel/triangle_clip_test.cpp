@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cells in which a triangle is listed, against a test of every single cell.
 #include "accel/overlap.h"
 #include "metamarch/accel/triangle_clip.h"

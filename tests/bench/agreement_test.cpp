@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every traversal on every shared scene with every ray set, against the judge. It takes half an hour, so it
 // is no test of CTest's: tools/test --long runs it.
 #include "fixtures/ray_sets.h"

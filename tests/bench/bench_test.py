@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """`metamarch bench` from outside: what it prints and writes, and what it refuses."""
 import csv
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/hit_check.h"
 
 #include <gtest/gtest.h>

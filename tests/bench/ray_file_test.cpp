@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"
 #include "metamarch/bench/ray_file.h"

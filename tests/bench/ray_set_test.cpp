@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/shapes.h"
 #include "metamarch/bench/cpu_tracer.h"
 #include "metamarch/bench/random_numbers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/row.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/bench/measurement.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/shapes.h"
 #include "metamarch/bench/views.h"
 #include "metamarch/shared/camera.h"

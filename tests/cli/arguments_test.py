@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every way to call the program wrongly, and some right ones: exit code, stdout, the one line on stderr.
 
 To test another call, add a line to CASES; to test a file, write it in make_files(). `{scenes}` is the project's folder of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What `compare` reports and writes."""
 import json
 

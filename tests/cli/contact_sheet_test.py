@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """tools/contact_sheet: every scene on one picture, failures by name."""
 import os
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every sub-command's --help, and that its example works as typed after tools/demo."""
 import re
 import shlex

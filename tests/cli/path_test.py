@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the path tracer writes: channels, the same picture from both backends, light, statistics."""
 import json
 

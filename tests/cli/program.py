@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the tests of the program share: how to run it, where scenes are, how to read a picture.
 
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main().

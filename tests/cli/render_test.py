@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What `render --integrator primary` writes: channels, cameras, the same picture from both backends, statistics, memory."""
 import json
 import math

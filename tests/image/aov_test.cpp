@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The list of channels, and the values that a pixel of the film gives them.
 #include "metamarch/image/film_image.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "file_size_limit.h"
 #include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"

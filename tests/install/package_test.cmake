@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake -DBUILD=<build folder> -DSOURCE=<repository root> -DPREFIX=<folder> -P package_test.cmake
 # Installs the build into an empty PREFIX. The package files must name no folder of the build or of the sources.
 cmake_policy(VERSION 3.25)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Holes: masks and blended surfaces, seen and in the shadow they throw.
 #include "path/path_scene.h"
 

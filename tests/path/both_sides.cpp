@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "path/both_sides.h"
 
 #include "fixtures/vulkan_environment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene on the device and on the CPU, and whether both draw the same film.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

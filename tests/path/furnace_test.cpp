@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // White furnaces seen by the path tracer: in light of 1 from everywhere an object that absorbs nothing is
 // invisible. The tolerances are those of the material model's fitted albedos (tests/shading/bsdf_energy_test)
 // where it has any, and the noise where not.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Smooth glass: where light goes (Snell), how much of it (Fresnel), and what is left (Beer and Lambert).
 #include "path/path_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "path/gpu_scenes.h"
 
 #include "metamarch/shading/light/sky.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes on which the device's path tracer is compared with the CPU's: one for each feature, so that each
 // specialization of the kernel is seen alone, and all of them together.
 #pragma once

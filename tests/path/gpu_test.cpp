@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The path tracer on the device against the CPU's: the same film to the bit. steps and tests apart, which
 // belong to the traversal.
 #include "fixtures/shared_scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table that lights are drawn from, and the densities that weigh the two ways to find them.
 #include "metamarch/shading/light/sky.h"
 #include "metamarch/shared/path.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Direct light on a Lambert reflector against what a formula says.
 #include "path/path_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Levels of textures: which one a surface shows, what its filters make of it, and that pictures gain by it.
 #include "metamarch/shared/path.h"
 #include "path/path_scene.h"

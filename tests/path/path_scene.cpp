@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "path/path_scene.h"
 
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes for the path tracer, made in memory, and what its film says of them.
 #pragma once
 #include "metamarch/scene/scene.h"

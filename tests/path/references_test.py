@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures of other path tracers: ../shared/references, or the folder that METAMARCH_REFERENCES names.
 
 Each case is rendered with few samples; its mean agrees with that of the reference, and pixels and means of small blocks

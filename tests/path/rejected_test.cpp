@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Samples that are no numbers are counted and in no sum.
 #include "path/path_scene.h"
 

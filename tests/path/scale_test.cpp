@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes large, small and far from the origin: no surface shadows itself, no wall lets light through.
 #include "path/path_scene.h"
 

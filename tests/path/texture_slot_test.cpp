@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every texture slot of a material, alone: the device draws what the CPU draws, the texture is seen, and the
 // channels that count are those that glTF 2.0 and its extensions name.
 #include "fixtures/vulkan_environment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ways to the same mean: light sampling, BSDF sampling, both; with and without Russian roulette. Each is
 // rendered with several seeds, whose means are independent, so that their spread is the error to expect.
 #include "path/path_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A driver that ends loops early (Mesa's llvmpipe does, after 65,535 turns) must not lose hits unseen.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"

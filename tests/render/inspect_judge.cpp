@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "render/inspect_judge.h"
 
 #include "metamarch/reference/twins.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pictures of the kernels `inspect` and `cells`, drawn by the twins on the CPU.
 #pragma once
 #include "metamarch/accel/structure_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The views of the algorithm on the device against the same functions fed by the twins, to the bit; cuts of
 // the work, replaced shaders, traces that a driver ends.
 #include "fixtures/shapes.h"

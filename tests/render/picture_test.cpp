@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures by one call, on the device and on the CPU: progress, cancelling, what the result says, its file.
 #include "fixtures/shapes.h"
 #include "fixtures/temporary_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes larger than one buffer of the device, made of small ones under a small limit.
 #include "fixtures/expect_error.h"
 #include "fixtures/ray_sets.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a window shows: films that grow in small pieces, the bytes made of them, pictures laid over each
 // other. The device against the same functions on the CPU, to the bit.
 #include "fixtures/vulkan_environment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the triangle records are cut into buffers.
 #include "fixtures/expect_error.h"
 #include "metamarch/render/scene_buffers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the seconds of one submission decide the size of the next.
 #include "metamarch/render/work_size.h"
 

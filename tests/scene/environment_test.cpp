@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Environment maps, valid and broken.
 #include "fixtures/expect_error.h"
 #include "fixtures/shared_scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Animations, skins and morph targets of glTF, with values worked out by hand.
 #include "fixtures/expect_error.h"
 #include "fixtures/shared_scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cameras of glTF.
 #include "scene/gltf_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draco and meshopt: decoding restores what was encoded, and hostile bytes are refused.
 #include "metamarch/error/error.h"
 #include "scene/gltf_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "scene/gltf_file.h"
 
 #include "fixtures/expect_error.h"

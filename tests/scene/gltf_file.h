@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small glTF files that a test writes and reads.
 #pragma once
 #include "fixtures/temporary_folder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How valid glTF geometry is imported, number by number.
 #include "scene/gltf_file.h"
 

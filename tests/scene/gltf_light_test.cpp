@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // KHR_lights_punctual.
 #include "scene/gltf_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials of glTF, with every extension and with variants.
 #include "fixtures/expect_error.h"
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hostile and broken glTF: every file is refused with one line that names the element.
 #include "scene/gltf_file.h"
 

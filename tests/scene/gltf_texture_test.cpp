@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Textures of glTF: images, samplers, transforms, texture coordinates, and missing or broken files.
 #include "fixtures/expect_error.h"
 #include "metamarch/error/error.h"

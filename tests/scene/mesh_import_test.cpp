@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // OBJ, PLY, OFF and STL.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/error/error.h"

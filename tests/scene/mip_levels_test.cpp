@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mip levels of textures: means of areas in linear light, and the bytes that store them.
 #include "metamarch/shading/texture/mip_levels.h"
 #include "metamarch/shading/texture/texel_words.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials of OBJ, converted to glTF's.
 #include "fixtures/expect_error.h"
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small image files in memory, byte by byte.
 #pragma once
 #include <cstdint>

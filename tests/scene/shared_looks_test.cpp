@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials, textures, lights and poses of other people's files, as their JSON and their descriptions state.
 #include "fixtures/shared_scenes.h"
 #include "metamarch/scene/import.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Other people's files, against the counts in the table of their README.
 #include "fixtures/shared_scenes.h"
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes that tools/make_scenes writes.
 #include "metamarch/scene/import.h"
 

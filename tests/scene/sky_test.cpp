@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sky for scenes without light: plausible values, and no NaN.
 #include "metamarch/shading/light/sky.h"
 

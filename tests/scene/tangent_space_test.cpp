@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // MikkTSpace, with values worked out by hand and against the tangents of other exporters.
 #include "fixtures/shared_scenes.h"
 #include "metamarch/scene/tangent_space.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Textures in the shaders' layout: filters, levels and storage.
 #include "fixtures/expect_error.h"
 #include "metamarch/shading/texture/texel_store.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Images of every format, intact and broken.
 #include "metamarch/scene/texture/texture_decoder.h"
 #include "scene/picture_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera of a picture, and its rays.
 #include "fixtures/expect_error.h"
 #include "metamarch/shading/view.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weighted tables for lists of lights and for environments.
 #include "metamarch/shading/light/weighted_table.h"
 

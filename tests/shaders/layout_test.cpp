@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What crosses the bus lies where both sides think: the SPIR-V of every shader against the structs of C++.
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shared/bvh_node.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "shaders/spirv_layout.h"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The memory layout that a SPIR-V module declares: what its shader believes to find in buffers.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // White furnaces: under uniform light of radiance 1, a white surface has radiance 1, and no surface more.
 #include "looks.h"
 #include "metamarch/shared/sobol.h"

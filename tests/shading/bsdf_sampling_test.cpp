@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The BSDF's samples have the claimed density, and their weights agree with its values.
 #include "chi_square.h"
 #include "looks.h"

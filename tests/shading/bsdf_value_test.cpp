@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The BSDF's values: glTF 2.0, Appendix B worked out by hand, reciprocity, Snell and Fresnel.
 #include "looks.h"
 #include "random_bsdf_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A sampled camera ray, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #define METAMARCH_TESTS_SHADING_CAMERA_CASE_H

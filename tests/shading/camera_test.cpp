@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera rays: filters and lens against their densities, the plane in focus, the panorama's directions.
 #include "chi_square.h"
 #include "metamarch/shading/view.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pearson's chi-square test of samples against their claimed densities.
 #pragma once
 #include <glm/glm.hpp>

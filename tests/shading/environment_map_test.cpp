@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The map's directions, and the sampling of its texels.
 #include "chi_square.h"
 #include "metamarch/shading/light/weighted_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colours of false_color.h: their documented values and order.
 #include "metamarch/shared/false_color.h"
 #include "metamarch/shared/texture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The device computes the shared shading functions to the bit like the CPU.
 #include "camera_case.h"
 #include "kernel_run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs a kernel of this folder on the test's device. Binding 0 is read and binding 1 is written, one element
 // each per invocation; a workgroup has 64 invocations.
 #pragma once

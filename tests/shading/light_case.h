@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The functions of light.h and environment_map.h on one input, computed on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #define METAMARCH_TESTS_SHADING_LIGHT_CASE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light sampling against closed forms, and its samples against their densities.
 #include "chi_square.h"
 #include "metamarch/shared/light.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that shading loads of a scene by one index, asked of both sides.
 #ifndef METAMARCH_TESTS_SHADING_LOADED_RECORDS_H
 #define METAMARCH_TESTS_SHADING_LOADED_RECORDS_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Structs that the device makes of words: each member is the word that the host's struct has there.
 #include "fixtures/vulkan_environment.h"
 #include "kernels/loaders_storage.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials that each show one part of the BSDF, and some that combine several.
 #pragma once
 #include "metamarch/shared/bsdf.h"

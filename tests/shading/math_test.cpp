@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The functions of math.h against long double, over their whole domains.
 #include "metamarch/shared/math.h"
 

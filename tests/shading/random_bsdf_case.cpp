@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "random_bsdf_case.h"
 
 #include <random>

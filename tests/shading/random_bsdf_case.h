@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Random materials, frames and directions of every kind.
 #pragma once
 #include "bsdf_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ray cones: the pixels of a camera share its view among them, and surfaces pass cones on.
 #include "metamarch/shading/view.h"
 #include "metamarch/shared/path.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sampler: every prefix is stratified, dimensions and pixels are independent, and the error is below that
 // of random numbers.
 #include "metamarch/shared/sobol.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shading normals that disagree with the triangle: no light leaks, and no mirror turns black.
 #include "looks.h"
 #include "random_bsdf_case.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "traversal/gpu_scenes.h"
 
 #include "fixtures/shapes.h"

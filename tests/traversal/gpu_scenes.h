@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes on which the device is compared with the judges.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every traversal on the device against the judges, ray by ray and pixel by pixel, with the validation layers
 // on.
 #include "fixtures/ray_sets.h"

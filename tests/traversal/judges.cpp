@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "traversal/judges.h"
 
 #include "fixtures/ray_sets.h"

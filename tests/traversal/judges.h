@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every way to trace one ray, side by side, for tests.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The CPU twin of every traversal on scenes made in memory: brute force judges them all.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"

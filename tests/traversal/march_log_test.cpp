@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The recorded march is the march: its steps, its boxes one behind the other, its hit.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays aimed at the uneven planes of the rectilinear table, which no ray set over the uniform lattice meets:
 // brute force judges its twin, which asserts its invariants.
 #include "fixtures/shapes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The structures that the rivals of the meta table walk: each holds every triangle wherever a ray may look.
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"

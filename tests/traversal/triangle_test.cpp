@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The triangle test against double precision, and the two promises that traversals build on: no gaps between
 // neighbours, and hits that lie at their triangle.
 #include "fixtures/ray_sets.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The list of twins against the list of traversals, whatever the order of either.
 #include "metamarch/accel/structure.h"
 #include "metamarch/reference/twins.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Hands move the camera, and key c says the options that make the same picture without a window."""
 from display import MIDDLE, RIGHT, WHEEL_UP
 from viewer import CORNELL, OBJECTS, ViewerTest, main, triangle

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A screen without a monitor (Xvfb), what hands do on it, and what is seen there."""
 import ctypes
 import os

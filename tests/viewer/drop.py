@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Files dropped on a window: the source's side of XDND, version 5, https://freedesktop.org/wiki/Specifications/XDND."""
 import select
 import time

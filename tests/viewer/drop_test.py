@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Files dropped on the window: scenes, maps of light, and what is neither."""
 import subprocess
 

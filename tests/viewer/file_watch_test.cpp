@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that change, come and go.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/viewer/file_watch.h"

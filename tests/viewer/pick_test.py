@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What is under the cursor: a triangle, and the march of a ray to it."""
 from viewer import CORNELL, ViewerTest, main
 

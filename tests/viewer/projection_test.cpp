@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // World to window, against the rays that go the other way.
 #include "metamarch/shading/view.h"
 #include "metamarch/viewer/projection.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Calls that open no window: exit code and the one line on stderr."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The scene's file changes while it is shown."""
 import os
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A window of other sizes, and one that is not there for a while."""
 from viewer import CORNELL, ViewerTest, main
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures from the window to files."""
 from viewer import CORNELL, ViewerTest, main
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes that are asked for, and what the thread that reads them answers.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shaders compiled while the program runs, against those of the build.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/shaders/shader_library.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Shaders that somebody edits while they draw."""
 import shutil
 

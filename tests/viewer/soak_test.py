@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The viewer for a while: METAMARCH_SOAK_SECONDS, 15 by default. Its memory must not grow."""
 import os
 import random

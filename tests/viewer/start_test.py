@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A window opens, fills with all samples, and shows the headless picture."""
 from viewer import CORNELL, DEGENERATE, OBJECTS, ViewerTest, main
 

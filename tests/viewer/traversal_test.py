@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Traversals, two of them side by side, and the views of the algorithm."""
 import re
 

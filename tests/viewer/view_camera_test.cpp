@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How hands move the camera, and the options that make it again.
 #include "metamarch/viewer/projection.h"
 #include "metamarch/viewer/view_camera.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the tests of the viewer share: the real program in a window of a screen without a monitor, and hands.
 
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main(). Nothing in here asserts

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel kernels/affine.comp, as the tests use it.
 #pragma once
 #include "metamarch/vulkan/compute_pipeline.h"

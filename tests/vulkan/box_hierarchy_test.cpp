@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tests the driver's hierarchy on devices with ray queries; on others, that it is refused.
 #include "fixtures/vulkan_environment.h"
 #include "kernels/boxes.h"

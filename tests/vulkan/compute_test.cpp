@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A kernel runs with its bindings, push constants and specialization constants, and its results come back.
 #include "affine_kernel.h"
 #include "fixtures/vulkan_environment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/expect_error.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/vulkan/context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/expect_error.h"
 #include "metamarch/vulkan/device_choice.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Work that exceeds the device's limits is refused by name before the driver sees it.
 #include "affine_kernel.h"
 #include "fixtures/expect_error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "affine_kernel.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/vulkan/pipeline_cache.h"

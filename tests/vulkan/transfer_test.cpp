@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/vulkan/transfer.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """With the compile flags of a library no header is found of a library that it does not link."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Every #include of a library names a header of its own, of a library that it links, or of the standard."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The libraries as CMake knows them: the file that tests/walls/CMakeLists.txt writes."""
 
 import json

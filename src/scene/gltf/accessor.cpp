@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/accessor.h"
 
 #include "metamarch/scene/gltf/buffer.h"

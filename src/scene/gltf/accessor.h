@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads glTF accessors and checks them.
 #pragma once
 #include "metamarch/file/input_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/animation.h"
 
 #include "metamarch/scene/choice.h"

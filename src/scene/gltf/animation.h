@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF animations: moves the nodes to their pose at a given time.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

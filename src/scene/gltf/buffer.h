@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bytes of glTF buffer views, with bounds checks.
 #pragma once
 #include "metamarch/file/input_file.h"

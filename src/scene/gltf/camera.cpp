@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/camera.h"
 
 #include <glm/gtc/constants.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF cameras, placed by their nodes.
 #pragma once
 #include "metamarch/scene/scene.h"

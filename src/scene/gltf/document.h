@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads an untrusted .gltf or .glb into a model that is safe to traverse.
 #pragma once
 #include "metamarch/file/input_file.h"

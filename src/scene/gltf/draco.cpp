@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/draco.h"
 
 #include "metamarch/scene/gltf/buffer.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // KHR_draco_mesh_compression.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads glTF's JSON with checks: each value has the type, length and range that the caller asked for.
 #pragma once
 #include "metamarch/file/input_file.h"

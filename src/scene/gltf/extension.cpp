@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/extension.h"
 
 #include <algorithm>

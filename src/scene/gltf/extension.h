@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The glTF extensions that a file may require.
 #pragma once
 #include <string>

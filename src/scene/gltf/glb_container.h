@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two chunks of a .glb file (glTF 2.0, section 4.4).
 #pragma once
 #include "metamarch/file/input_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/import.h"
 
 #include "metamarch/scene/choice.h"

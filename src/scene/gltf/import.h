@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Imports glTF 2.0 into a Scene.
 #pragma once
 #include "metamarch/file/input_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/instancing.h"
 
 #include "metamarch/scene/gltf/accessor.h"

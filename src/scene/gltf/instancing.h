@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // EXT_mesh_gpu_instancing: draws a node's mesh at many places.
 #pragma once
 #include "metamarch/scene/gltf/element.h"

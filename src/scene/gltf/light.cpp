@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/light.h"
 
 #include <glm/gtc/constants.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF's punctual lights (KHR_lights_punctual), placed by their nodes.
 #pragma once
 #include "metamarch/scene/gltf/element.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF materials.
 #pragma once
 #include "metamarch/scene/gltf/element.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/mesh.h"
 
 #include "metamarch/scene/gltf/accessor.h"

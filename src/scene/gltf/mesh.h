@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads the geometry of glTF meshes, primitive by primitive.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/meshopt.h"
 
 #include "metamarch/scene/gltf/element.h"

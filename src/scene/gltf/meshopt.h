@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // EXT_meshopt_compression, and KHR_meshopt_compression as far as the two agree.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/node.h"
 
 #include <glm/gtc/matrix_transform.hpp>

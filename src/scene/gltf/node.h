@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Flattens the node hierarchy of a glTF scene.
 #pragma once
 #include "metamarch/file/input_file.h"

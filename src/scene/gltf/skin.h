@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF skins: vertices that follow several nodes.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

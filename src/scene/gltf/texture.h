@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF textures: images, samplers and the references of materials to them.
 #pragma once
 #include "metamarch/scene/gltf/document.h"

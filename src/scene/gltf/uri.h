@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // URIs of glTF buffers and images: what they may name, and the only files that tinygltf can open.
 #pragma once
 #include "metamarch/file/input_file.h"

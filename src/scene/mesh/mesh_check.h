@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks mesh files completely before Assimp reads them. Assimp takes a truncated file for a small one, reads
 // past the end of a truncated binary PLY, and does not check face indices.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Imports OBJ, PLY, OFF and STL into a Scene, with Assimp.
 #pragma once
 #include "metamarch/file/input_file.h"

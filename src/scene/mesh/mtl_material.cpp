@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/mtl_material.h"
 
 #include <assimp/ObjMaterial.h>

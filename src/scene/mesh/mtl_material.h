@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Converts materials of OBJ's material libraries, as Assimp reads them, to glTF's materials.
 #pragma once
 #include "metamarch/file/input_file.h"

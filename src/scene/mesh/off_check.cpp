@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/mesh_check.h"
 
 #include <algorithm>

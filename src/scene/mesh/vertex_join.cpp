@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/vertex_join.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Joins vertices that an importer has split into one per corner.
 #pragma once
 #include <assimp/mesh.h>

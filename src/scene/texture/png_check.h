@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checks PNG chunks before libpng reads them, because libpng writes its complaints to stderr.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/texture/texture_decoder.h"
 
 #include "metamarch/scene/texture/png_check.h"

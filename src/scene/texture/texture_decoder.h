@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Decodes images in memory to texels.
 #pragma once
 #include "metamarch/scene/texture.h"

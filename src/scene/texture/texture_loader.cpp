@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/scene/texture/texture_loader.h"
 
 #include "metamarch/scene/texture/texture_decoder.h"

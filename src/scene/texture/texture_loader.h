@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Loads the textures of a scene from where its file says they are.
 #pragma once
 #include "metamarch/file/input_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Decodes WebP with libwebp directly: OpenImageIO 2.4 premultiplies a WebP's colours by alpha, and the
 // precision that this rounds away is lost.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/environment.h"
 
 #include "metamarch/error/error.h"

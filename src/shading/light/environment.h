@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Light from all directions, as an equirectangular image.
 #pragma once
 #include <glm/glm.hpp>

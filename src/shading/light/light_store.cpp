@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/light_store.h"
 
 #include "metamarch/shading/light/weighted_table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds the records of everything that sends light, and the table from which light sampling draws.
 #pragma once
 #include "metamarch/scene/scene.h"

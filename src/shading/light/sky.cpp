@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/sky.h"
 
 #include <tbb/parallel_for.h>

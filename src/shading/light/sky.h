@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A clear sky with the sun, for scenes without any light of their own.
 #pragma once
 #include "metamarch/shading/light/environment.h"

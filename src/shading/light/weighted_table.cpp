@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/weighted_table.h"
 
 #include "metamarch/shared/math.h"

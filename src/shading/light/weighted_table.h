@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builds the weighted tables from which light.h and environment_map.h sample.
 #pragma once
 #include "metamarch/shading/light/environment.h"

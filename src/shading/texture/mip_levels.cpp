@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/texture/mip_levels.h"
 
 #include "metamarch/shading/texture/texel_words.h"

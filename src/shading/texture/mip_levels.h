@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mip levels of a texture: each is half as large as the one before, down to one texel.
 #pragma once
 #include "metamarch/scene/texture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/texture/texel_store.h"
 
 #include "metamarch/error/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Stores the texels of a scene's images in the words that shaders read, split into chunks.
 #pragma once
 #include "metamarch/scene/scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "metamarch/shading/texture/texel_words.h"
 
 #include "metamarch/shared/texture.h"

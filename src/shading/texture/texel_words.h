@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Encodes texels in the words that shaders read.
 #pragma once
 #include "metamarch/scene/texture.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A glTF file to a picture of floats, by the path tracer on the CPU.
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/path.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(constant_id = 0) const uint kFeatures = 0xffffffffu;

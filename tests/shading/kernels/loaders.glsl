@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the loaders of lib/shading.glsl make of the scene's buffers: one element of each an invocation.
 #include "lib/shading.glsl"
 #include "shading/loaded_records.h"

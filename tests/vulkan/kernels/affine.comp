@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #version 460
 // outputs[i] = factor * inputs[i] + offset in integers; the factor is a specialization constant, the offset a
 // push constant.

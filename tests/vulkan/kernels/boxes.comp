@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the boxes that a ray may meet; the result has one bit per box.
 #version 460
 #extension GL_EXT_ray_query : require
