@@ -29,7 +29,7 @@ constexpr std::uint32_t kBruteForceTriangles = 1u << 19u; // llvmpipe's loops re
 
 std::vector<std::filesystem::path> sceneFiles() {
     std::vector<std::filesystem::path> files;
-    if (const auto folder = tests::sharedScenes()) {
+    if (const auto folder = tests::findSharedScenes()) {
         const std::set<std::string> endings{".glb", ".gltf", ".obj", ".off", ".ply", ".stl"};
         for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder)) {
             if (endings.contains(entry.path().extension().string())) {
@@ -111,7 +111,10 @@ std::string testName(const testing::TestParamInfo<std::filesystem::path>& instan
     return name + "_" + std::to_string(instance.index); // two folders may hold files of one name
 }
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Agreement); // where the shared scenes are absent
+// Without the shared scenes there is no instance of Agreement: this test says so.
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Agreement);
+TEST(AgreementScenes, areThere) { EXPECT_FALSE(tests::sharedScene("").empty()); }
+
 INSTANTIATE_TEST_SUITE_P(SharedScenes, Agreement, testing::ValuesIn(sceneFiles()), testName);
 
 } // namespace

@@ -5,7 +5,7 @@ import json
 import struct
 import subprocess
 
-from program import SCENES, SOURCE, ProgramTest, main, shared_scenes
+from program import SCENES, SOURCE, ProgramTest, main, shared_scene
 
 ROW_KEYS = {"scene", "rays", "traversal", "backend", "rayCount", "hits", "mraysPerSecond", "spread", "visitsPerRay",
             "testsPerRay", "bytesPerRay", "floorMultiple"}
@@ -104,10 +104,7 @@ class TraversalTest(ProgramTest):
 
 class PaperTest(ProgramTest):
     def test_the_experiment(self):
-        scenes = shared_scenes()
-        if scenes is None:
-            return
-        text = self.succeed("bench", "paper", "--scenes", str(scenes), "--out", "paper", "--size", "40x30", *QUICK)
+        text = self.succeed("bench", "paper", "--scenes", shared_scene(), "--out", "paper", "--size", "40x30", *QUICK)
         self.assertIn("A visit is an inner node or a leaf", text)
         self.assertIn("80 to 85 % fewer visits", text)
         self.assertIn("30 to 50 % less render time", text)

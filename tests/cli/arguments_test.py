@@ -10,7 +10,7 @@ import re
 import struct
 import zlib
 
-from program import SCENES, ProgramTest, main, shared_scenes
+from program import SCENES, ProgramTest, main, shared_scene
 
 NO_OUTPUT = r""
 ANYTHING = r".*"
@@ -277,8 +277,7 @@ class ArgumentsTest(ProgramTest):
                                  (5, "metamarch: cannot write to standard output\n"), words)
 
     def test_malformed_shared_scenes(self):
-        folder = shared_scenes()
-        for path in sorted((folder / "gltf" / "malformed").rglob("*.gl*")) if folder else []:
+        for path in sorted(shared_scene("gltf/malformed").rglob("*.gl*")):
             with self.subTest(path=path.name):
                 picture = f"{path.name}.exr"
                 result = self.run_program("render", path, "-o", picture, "--size", "8x6", "--quiet", "--background", "1,1,1")

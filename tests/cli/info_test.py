@@ -2,7 +2,7 @@
 """What `info` reports."""
 import json
 
-from program import SCENES, ProgramTest, main, shared_scenes
+from program import SCENES, ProgramTest, main, shared_scene
 
 # A dot opens an object.
 KEYS = """vertices triangles bounds.min bounds.max lattice.resolution lattice.unit table.cells table.leaves tree.nodes
@@ -73,16 +73,14 @@ class InfoTest(ProgramTest):
             self.assertRegex(text, rf"(?m)^{label} +\S")
 
     def test_the_papers_models(self):
-        folder = shared_scenes()
-        if not folder:
-            return
+        folder = shared_scene("paper")
         models = {
             "bunny.ply": (["--unit", "0.002"], 69451, [78, 78, 61], 371124),
             "cow_viewpoint.obj": (["--scale", "0.1", "--unit", "0.02"], 5804, [53, 32, 18], 30528),
         }
         for name, (options, triangles, resolution, cells) in models.items():
             with self.subTest(name=name):
-                report = self.info(folder / "paper" / name, *options, "--preset", "paper")
+                report = self.info(folder / name, *options, "--preset", "paper")
                 self.assertEqual(report["triangles"], triangles)
                 self.assertEqual(report["lattice"]["resolution"], resolution)
                 self.assertEqual(report["table"]["cells"], cells)

@@ -14,6 +14,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 SCENES = SOURCE / "scenes"
+ALL_SKIPPED = 77  # exit code where no test ran to its end; CTest knows it by SKIP_RETURN_CODE
 
 _metamarch = None
 
@@ -25,23 +26,31 @@ def metamarch():
 def main():
     global _metamarch
     _metamarch = Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    result = unittest.main(exit=False).result
+    if not result.wasSuccessful():
+        sys.exit(1)
+    if result.skipped and len(result.skipped) == result.testsRun:
+        sys.exit(ALL_SKIPPED)
 
 
-def folder_of_others(variable, name):
-    """The folder that the environment's `variable` names, else ../shared/`name`, or None, said on stderr."""
-    folder = Path(os.environ.get(variable, SOURCE.parent / "shared" / name))
-    if folder.is_dir():
-        return folder
-    if variable in os.environ:
-        raise NotADirectoryError(f"{variable} names no folder: {folder}")
-    print(f"the shared {name} are absent: {folder}; {variable} names another folder", file=sys.stderr)
-    return None
+def asset(variable, folder, name):
+    """The file or folder `name` below the folder that the environment's `variable` names, or below ../shared/`folder`.
+
+    Where it is absent, the test ends in this call: it is skipped, or fails if METAMARCH_REQUIRE_ASSETS is 1 or if
+    `variable` names no folder.
+    """
+    root = Path(os.environ.get(variable, SOURCE.parent / "shared" / folder))
+    path = root / name
+    if path.exists():
+        return path
+    if os.environ.get("METAMARCH_REQUIRE_ASSETS") == "1" or (variable in os.environ and not root.is_dir()):
+        raise AssertionError(f"absent: {path}")
+    raise unittest.SkipTest(f"absent: {path}; {variable} names another folder of {folder}")
 
 
-def shared_scenes():
-    """The folder of other people's scenes, or None, said on stderr."""
-    return folder_of_others("METAMARCH_SCENES", "scenes")
+def shared_scene(name=""):
+    """The file or folder `name` below the folder of other people's scenes, or the end of the test: see asset()."""
+    return asset("METAMARCH_SCENES", "scenes", name)
 
 
 def channels_of(integrator):

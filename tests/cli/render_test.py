@@ -5,7 +5,7 @@ import math
 import os
 import subprocess
 
-from program import SCENES, ProgramTest, channels_of, main, metamarch, shared_scenes
+from program import SCENES, ProgramTest, channels_of, main, metamarch, shared_scene
 
 CORNELL = SCENES / "cornell.glb"
 # Three beams and two corners: boxes that no kd-tree can make.
@@ -67,20 +67,14 @@ class RenderTest(ProgramTest):
         self.succeed("compare", "default.exr", "index.exr")
 
     def test_a_scene_without_a_camera_is_framed(self):
-        folder = shared_scenes()
-        if not folder:
-            return
-        alpha = self.picture(folder / "gltf" / "Box.glb", "--size", "24x16")["A"]
+        alpha = self.picture(shared_scene("gltf/Box.glb"), "--size", "24x16")["A"]
         border = [*alpha[0], *alpha[-1], *(row[0] for row in alpha), *(row[-1] for row in alpha)]
         self.assertEqual(set(border), {0})
         self.assertGreater(sum(map(sum, alpha)), 24 * 16 / 5)
 
     def test_orthographic_camera(self):
         """A picture two units high of the unit square, turned back by 45 degrees about its lower side."""
-        folder = shared_scenes()
-        if not folder:
-            return
-        picture = self.picture(folder / "gltf" / "Cameras" / "Cameras.gltf", "--camera", "1", "--size", "48x36")
+        picture = self.picture(shared_scene("gltf/Cameras/Cameras.gltf"), "--camera", "1", "--size", "48x36")
         hits = [(x, y) for y in range(36) for x in range(48) if picture["A"][y][x] == 1]
         top = 27 - 18 * math.sqrt(0.5)
         self.assertEqual(hits, [(x, y) for y in range(math.ceil(top - 0.5), 27) for x in range(15, 33)])
@@ -152,10 +146,7 @@ class RenderTest(ProgramTest):
         self.assertRegex(self.refuse(5, "render", CORNELL, "-o", "locked/a.exr"), r"cannot write locked/a.exr: .*denied")
 
     def test_memory_of_a_million_triangles(self):
-        folder = shared_scenes()
-        if not folder:
-            return
-        scene = folder / "gltf" / "MetalRoughSpheresNoTextures.glb"
+        scene = shared_scene("gltf/MetalRoughSpheresNoTextures.glb")
         words = [metamarch(), "render", scene, "-o", self.tmp / "a.exr", "--size", "640x480", "--quiet", "--integrator", "primary"]
         # The program's own memory: without the validation layers, and without the freed blocks AddressSanitizer keeps.
         own = {"METAMARCH_VALIDATION": "0", "ASAN_OPTIONS": f"{os.environ.get('ASAN_OPTIONS', '')}:quarantine_size_mb=1"}

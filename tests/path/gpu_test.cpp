@@ -89,16 +89,10 @@ class PathGpuFile : public testing::TestWithParam<FileScene> {
 };
 
 TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
-    std::filesystem::path file = std::filesystem::path(METAMARCH_SOURCE_DIR) / GetParam().file;
-    if (!GetParam().file.starts_with("scenes/")) {
-        const auto folder = sharedScenes();
-        if (!folder) {
-            return;
-        }
-        file = *folder / GetParam().file;
-    }
+    const std::string& file = GetParam().file;
     PathScene made;
-    made.scene = loadScene(file);
+    made.scene = loadScene(file.starts_with("scenes/") ? std::filesystem::path(METAMARCH_SOURCE_DIR) / file
+                                                       : sharedScene(file));
     const Sky sky = makeSky({.width = 64});
     made.surroundings.environment = sky.environment;
     made.surroundings.sun = sky.sun;

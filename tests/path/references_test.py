@@ -6,22 +6,14 @@ differ by no more than the noise that the picture itself reports (its variance c
 """
 import json
 import math
-import os
 import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
-from program import ProgramTest, folder_of_others, main
+from program import ProgramTest, asset, main
 
 SIDE = 256
 SAMPLES = 16
 BLOCK = 8  # pixels: means over squares of that side have that part of the noise, and all of a bias
 TRIMMED = 0.005  # of the pixels or blocks, the worst, are left out of the error: fireflies and edges of lights
-
-
-def references():
-    """The folder of other renderers' pictures, or None, said on stderr."""
-    return folder_of_others("METAMARCH_REFERENCES", "references")
 
 
 def numbers(values):
@@ -69,7 +61,7 @@ class Comparison:
 class ReferencesTest(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.folder = references()
+        self.folder = asset("METAMARCH_REFERENCES", "references", "")
 
     def render(self, name, *words):
         case = json.loads((self.folder / "cases" / f"{name}.json").read_text())
@@ -101,8 +93,6 @@ class ReferencesTest(ProgramTest):
         self.assertLess(compared.block_error, math.hypot(compared.block_noise, noise / BLOCK, model_error), said)
 
     def test_diffuse_scenes(self):
-        if self.folder is None:
-            return
         for name in ("a_cornell", "c2_bunny_hdr_soft", "l_lights_diffuse"):
             picture = self.render(name)
             for renderer in ("cycles", "mitsuba"):
@@ -110,13 +100,9 @@ class ReferencesTest(ProgramTest):
                     self.expect_same(picture, f"{name}.{renderer}", 0.005)
 
     def test_helmet(self):
-        if self.folder is None:
-            return
         self.expect_same(self.render("e_damaged_helmet"), "e_damaged_helmet.cycles", 0.01, 0.02)
 
     def test_spheres_of_every_roughness(self):
-        if self.folder is None:
-            return
         self.expect_same(self.render("f_spheres_hdr"), "f_spheres_hdr.cycles", 0.01, 0.02)
         self.expect_same(self.render("f_spheres_hdr", "--brdf", "gltf"), "f_spheres_hdr.mitsuba_gltf", 0.01, 0.02)
 

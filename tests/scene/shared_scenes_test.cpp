@@ -87,17 +87,14 @@ const std::map<std::string, std::string> kRefused = {
 };
 
 TEST(SharedScenes, CountsAreThoseOfTheTable) {
-    const auto folder = tests::sharedScenes();
-    if (!folder) {
-        return;
-    }
-    const std::map<std::string, Counts> rows = table(*folder);
+    const std::filesystem::path folder = tests::sharedScene("");
+    const std::map<std::string, Counts> rows = table(folder);
     EXPECT_GE(rows.size(), 80u);
     for (const auto& [file, counts] : rows) {
         SCOPED_TRACE(file);
         const auto refused = kRefused.find(file);
         try {
-            const Scene scene = loadScene(*folder / file);
+            const Scene scene = loadScene(folder / file);
             EXPECT_EQ(refused, kRefused.end());
             const auto special = kCountsOfScene.find(file);
             EXPECT_EQ((Counts{scene.positions.size(), scene.triangles.size()}),
@@ -105,28 +102,20 @@ TEST(SharedScenes, CountsAreThoseOfTheTable) {
         } catch (const Error& error) {
             ASSERT_NE(refused, kRefused.end()) << error.what();
             EXPECT_EQ(error.kind, ErrorKind::inputRefused);
-            EXPECT_EQ(error.what(), (*folder / file).string() + ": " + refused->second);
+            EXPECT_EQ(error.what(), (folder / file).string() + ": " + refused->second);
         }
     }
 }
 
 TEST(SharedScenes, BrokenNormalsAreReported) {
-    const auto folder = tests::sharedScenes();
-    if (!folder) {
-        return;
-    }
-    const Scene scene = loadScene(*folder / "gltf/malformed/BoxBadNormals.glb");
+    const Scene scene = loadScene(tests::sharedScene("gltf/malformed/BoxBadNormals.glb"));
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(scene.warnings[0].ends_with(
         "mesh 'Mesh': 4 normals are zero or not finite; the triangles' own are used there"));
 }
 
 TEST(SharedScenes, CamerasOfTheFile) {
-    const auto folder = tests::sharedScenes();
-    if (!folder) {
-        return;
-    }
-    const Scene scene = loadScene(*folder / "gltf/Cameras/Cameras.gltf");
+    const Scene scene = loadScene(tests::sharedScene("gltf/Cameras/Cameras.gltf"));
     ASSERT_EQ(scene.cameras.size(), 2u);
     EXPECT_EQ(scene.cameras[0].projection, SceneCamera::Projection::perspective);
     EXPECT_EQ(scene.cameras[1].projection, SceneCamera::Projection::orthographic);

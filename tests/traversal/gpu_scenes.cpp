@@ -24,15 +24,10 @@ const std::vector<GpuScene>& gpuScenes() {
     return kScenes;
 }
 
-std::optional<Scene> load(const GpuScene& scene) {
-    std::filesystem::path file = std::filesystem::path(METAMARCH_SOURCE_DIR) / scene.file;
-    if (!scene.file.starts_with("scenes/")) {
-        const auto folder = sharedScenes();
-        if (!folder) {
-            return std::nullopt;
-        }
-        file = *folder / scene.file;
-    }
+Scene load(const GpuScene& scene) {
+    const std::filesystem::path file = scene.file.starts_with("scenes/")
+                                           ? std::filesystem::path(METAMARCH_SOURCE_DIR) / scene.file
+                                           : sharedScene(scene.file);
     Scene loaded = loadScene(file, {.scale = scene.scale});
     if (scene.inStadium) {
         const Bounds bounds = boundsOf(loaded);

@@ -4,7 +4,6 @@
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/scene/scene.h"
 
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ inline void PrintTo(const GpuScene& scene, std::ostream* out) { *out << scene.na
 
 const std::vector<GpuScene>& gpuScenes();
 
-// Nothing where the file is one of the shared scenes and they are absent.
-std::optional<Scene> load(const GpuScene& scene);
+// Ends the test where the file is one of the shared scenes and is absent.
+Scene load(const GpuScene& scene);
 
 } // namespace metamarch::tests

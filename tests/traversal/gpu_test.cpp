@@ -63,14 +63,11 @@ struct LoadedScene {
     ShadingData shading;
 };
 
-std::optional<LoadedScene> prepare(const GpuScene& gpuScene) {
-    std::optional<Scene> scene = load(gpuScene);
-    if (!scene) {
-        return std::nullopt;
-    }
-    AccelerationStructure structure = buildAccelerationStructure(*scene, gpuScene.options);
-    ShadingData shading = makeShadingData(*scene);
-    return LoadedScene{std::move(*scene), std::move(structure), std::move(shading)};
+LoadedScene prepare(const GpuScene& gpuScene) {
+    Scene scene = load(gpuScene);
+    AccelerationStructure structure = buildAccelerationStructure(scene, gpuScene.options);
+    ShadingData shading = makeShadingData(scene);
+    return {std::move(scene), std::move(structure), std::move(shading)};
 }
 
 class Gpu : public testing::TestWithParam<GpuScene> {
@@ -81,13 +78,10 @@ class Gpu : public testing::TestWithParam<GpuScene> {
 };
 
 TEST_P(Gpu, hitsWhatTheJudgesHit) {
-    const std::optional<LoadedScene> loaded = prepare(GetParam());
-    if (!loaded) {
-        return;
-    }
-    const AccelerationStructure& structure = loaded->structure;
+    const LoadedScene loaded = prepare(GetParam());
+    const AccelerationStructure& structure = loaded.structure;
     const StructureSet structures(structure);
-    const std::vector<RayQuery> rays = trickyRays(loaded->scene, structure, kRays, 11);
+    const std::vector<RayQuery> rays = trickyRays(loaded.scene, structure, kRays, 11);
     const auto stack = traceAll(structure.lattice, rays, [&](const Ray& ray) {
         return traceKdStack(structure, ray, HitQuery::closest);
     });
@@ -100,7 +94,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
                                     [](const RayResult& result) { return result.triangleId != kNoTriangle; });
     EXPECT_GT(hits, kRays / 20) << "too few hits to mean anything";
 
-    const render::SceneBuffers buffers(device, structure, loaded->shading);
+    const render::SceneBuffers buffers(device, structure, loaded.shading);
     for (const std::string_view traversal : offeredTraversals(device)) {
         SCOPED_TRACE(traversal);
         const std::size_t count = effortFor(traversal, GetParam()).rays;
@@ -135,12 +129,9 @@ SceneCamera axisView(const Bounds& bounds, const glm::vec3 direction, const glm:
 }
 
 TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
-    const std::optional<LoadedScene> loaded = prepare(GetParam());
-    if (!loaded) {
-        return;
-    }
-    const Bounds bounds = boundsOf(loaded->scene);
-    const render::SceneBuffers buffers(device, loaded->structure, loaded->shading);
+    const LoadedScene loaded = prepare(GetParam());
+    const Bounds bounds = boundsOf(loaded.scene);
+    const render::SceneBuffers buffers(device, loaded.structure, loaded.shading);
     const SceneCamera views[] = {
         frameBounds(bounds, kDefaultVerticalFov, 4.0f / 3.0f),
         axisView(bounds, {0, 0, 1}, {0, 1, 0}),
@@ -154,8 +145,8 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             SCOPED_TRACE(testing::Message() << traversal << " looking along " << view.forward.x << " "
                                             << view.forward.y << " " << view.forward.z);
             const Camera camera = makeCamera(view, effort.width, effort.height);
-            const auto expected = renderPrimaryOnCpu(loaded->structure, loaded->shading.materials,
-                                                     loaded->shading.materialOfTriangle, camera);
+            const auto expected = renderPrimaryOnCpu(loaded.structure, loaded.shading.materials,
+                                                     loaded.shading.materialOfTriangle, camera);
             const auto result =
                 render::renderPrimaryOnDevice(device, buffers, std::string(traversal), camera);
             std::size_t different = 0;

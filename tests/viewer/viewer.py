@@ -7,12 +7,8 @@ how long a thing takes: waits end when what is waited for has come, or far too l
 import os
 import re
 import subprocess
-import sys
 import tempfile
 import time
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 from Xlib import X
 
