@@ -72,7 +72,7 @@ TEST(AccelerationStructure, leavesDegenerateTrianglesOut) {
 }
 
 TEST(AccelerationStructure, refusesADepthOverTheLimit) {
-    expectError(ErrorKind::invalidArgument, "--tree-depth 49 is over the limit of 48", [] {
+    expectError(ErrorKind::invalidArgument, "a tree depth of 49 is over the limit of 48", {"treeDepth"}, [] {
         buildAccelerationStructure(unitCube(), {{}, {}, kMaxTreeDepth + 1});
     });
 }

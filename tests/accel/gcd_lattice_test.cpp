@@ -141,13 +141,15 @@ TEST(GcdLattice, movesNoPlaneFartherThanItSays) {
 }
 
 TEST(GcdLattice, refusesAQuantumFinerThanTheMargin) {
-    expectError(ErrorKind::invalidArgument, "--quantum 1e-09: finer than single precision; give at least",
+    expectError(ErrorKind::invalidArgument,
+                "a quantum of 1e-09 is finer than single precision; give at least", {"quantum"},
                 [] { buildAccelerationStructure(unitCube(), withQuantum(1e-9)); });
 }
 
 TEST(GcdLattice, refusesTooManyCellsOnAnAxisWithTheirSize) {
     const Scene scene = triangleSoup(6000, 3);
-    expectError(ErrorKind::outOfMemory, "a lattice has at most 1023 on an axis; choose a larger --quantum",
+    expectError(ErrorKind::outOfMemory, "a lattice has at most 1023 on an axis; choose a larger quantum",
+                {"quantum", "treeDepth"},
                 [&] { buildAccelerationStructure(scene, withQuantum(1.0 / 4000.0)); });
 }
 

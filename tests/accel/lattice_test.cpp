@@ -169,14 +169,14 @@ TEST(LatticeRefusal, namesAUnitThatIsTaken) {
 TEST(LatticeRefusal, moreCellsThanThereMayBe) {
     const Bounds cube = boxFromOrigin(glm::vec3(1.0f));
     for (const std::uint64_t cells : {std::uint64_t{1070599168}, ~std::uint64_t{0}}) {
-        expectError(ErrorKind::outOfMemory, "choose --cells below 1070599168",
+        expectError(ErrorKind::outOfMemory, "choose fewer than 1070599168", {"cells"},
                     [&] { makeLattice(cube, kTriangles, withCells(cells)); });
     }
 }
 
 TEST(LatticeRefusal, sceneOutsideSinglePrecision) {
     for (const float size : {0.0f, 1e-11f, 1e11f, 3e38f}) {
-        expectError(ErrorKind::inputRefused, "--scale",
+        expectError(ErrorKind::inputRefused, "; scale it", {"scale"},
                     [&] { makeLattice(boxFromOrigin(glm::vec3(size)), kTriangles, {}); });
     }
     EXPECT_NO_THROW(makeLattice(boxFromOrigin(glm::vec3(1.1e-10f)), kTriangles, {}));

@@ -197,7 +197,7 @@ TEST(MetaTableBudget, isKept) {
     const std::uint64_t bytes = (1u + kBrickCells) * sizeof(std::uint32_t);
     EXPECT_NO_THROW(buildMetaTable(glm::uvec3(8), leaves, bytes));
     EXPECT_THROW(buildMetaTable(glm::uvec3(8), leaves, bytes - 1), TableOverBudget);
-    expectError(ErrorKind::outOfMemory, "choose a smaller --tree-depth or a coarser lattice",
+    expectError(ErrorKind::outOfMemory, "choose a smaller tree depth or fewer cells", {"treeDepth", "cells"},
                 [&] { buildMetaTable(glm::uvec3(8), leaves, bytes - 1); });
 }
 

@@ -185,11 +185,13 @@ TEST(RectilinearTable, ofOneTriangleHoldsItOnce) {
 // The message tells the size that the requested depth needs, and the depth that it offers instead fits.
 TEST(RectilinearTable, refusesADepthThatDoesNotFitWithItsSize) {
     const Scene scene = triangleSoup(6000, 3);
-    const std::string line = lineOfError(ErrorKind::outOfMemory, [&] { make(scene, wanted(20)); });
+    const Error error = errorOf(ErrorKind::outOfMemory, [&] { make(scene, wanted(20)); });
+    EXPECT_EQ(error.settings, SettingNames({"treeDepth"}));
+    const std::string line = error.what();
     std::smatch words;
     ASSERT_TRUE(std::regex_match(
         line, words,
-        std::regex(R"(a rectilinear table of --tree-depth 20 has (\d+) x (\d+) x (\d+) cells \((\d+) MiB\), )"
+        std::regex(R"(a rectilinear table of tree depth 20 has (\d+) x (\d+) x (\d+) cells \((\d+) MiB\), )"
                    R"(more than 1023 on an axis or 1024 MiB; the deepest that fits is (\d+))")))
         << line;
     const double cells = std::stod(words[1]) * std::stod(words[2]) * std::stod(words[3]);

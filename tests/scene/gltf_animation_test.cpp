@@ -111,10 +111,10 @@ TEST(GltfAnimation, AllOrOneByNameOrIndex) {
     expectNear(file.at(0, "translation")[1], {6, 0, 0});
     expectNear(file.at(0, "1")[1], {2, 0, 0});
     expectError(ErrorKind::invalidArgument,
-                "--animation walk: no such animation; the scene has 0 'translation', 1 'scale'",
+                "there is no animation walk; the scene has 0 'translation', 1 'scale'", {"animation"},
                 [&] { file.at(0, "walk"); });
     TriangleFile still;
-    expectError(ErrorKind::invalidArgument, "--animation walk: no such animation; the scene has none",
+    expectError(ErrorKind::invalidArgument, "there is no animation walk; the scene has none", {"animation"},
                 [&] { still.load({.time = 0.0, .animation = "walk"}); });
     EXPECT_TRUE(still.load({.time = 0.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }

@@ -278,10 +278,10 @@ TEST(GltfVariants, PrimitiveWithoutAMappingKeepsItsMaterial) {
 TEST(GltfVariants, UnknownOnesAreListed) {
     VariantFile file;
     expectError(ErrorKind::invalidArgument,
-                "--variant blue: no such variant; the scene has 0 'brown', 1 'black', 2 'white'",
+                "there is no variant blue; the scene has 0 'brown', 1 'black', 2 'white'", {"variant"},
                 [&] { file.load({.variant = "blue"}); });
     TriangleFile plain;
-    expectError(ErrorKind::invalidArgument, "--variant blue: no such variant; the scene has none",
+    expectError(ErrorKind::invalidArgument, "there is no variant blue; the scene has none", {"variant"},
                 [&] { plain.load({.variant = "blue"}); });
 }
 

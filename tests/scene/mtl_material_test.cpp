@@ -172,9 +172,9 @@ TEST_F(MtlMaterial, MapsThatAreNotRenderedAreReported) {
 }
 
 TEST_F(MtlMaterial, NeitherVariantsNorAnimations) {
-    expectError(ErrorKind::invalidArgument, "--variant blue: no such variant; the scene has none",
+    expectError(ErrorKind::invalidArgument, "there is no variant blue; the scene has none", {"variant"},
                 [&] { load("", {.variant = "blue"}); });
-    expectError(ErrorKind::invalidArgument, "--animation walk: no such animation; the scene has none",
+    expectError(ErrorKind::invalidArgument, "there is no animation walk; the scene has none", {"animation"},
                 [&] { load("", {.time = 1.0, .animation = "walk"}); });
     EXPECT_TRUE(load("", {.time = 1.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }
