@@ -11,24 +11,37 @@ namespace metamarch::tests {
 
 const std::vector<GpuScene>& gpuScenes() {
     static const std::vector<GpuScene> kScenes = {
-        {"cow", "paper/cow_viewpoint.obj", 0.1f, {glm::dvec3(0.02), {}, kPaperTreeDepth}},
         {"bunny", "paper/bunny.ply", 1.0f, {glm::dvec3(0.002), {}, kPaperTreeDepth}},
         {"dragon", "mesh/dragon_202k.ply"},
         {"sponza", "mesh/sponza_66k.obj"},
         {"helmet", "gltf/DamagedHelmet.glb"},
-        {"teapot_in_stadium", "mesh/teapot.obj", 1.0f, {}, true},
+        {"sphere_in_stadium", "", 1.0f, {}, true},
         {"degenerate", "scenes/degenerate.glb"},
         {"cornell", "scenes/cornell.glb"},
         {"objects", "scenes/objects.glb"},
+        {"objects_as_in_the_paper", "scenes/objects.glb", 1.0f, {glm::dvec3(0.1), {}, kPaperTreeDepth}},
     };
     return kScenes;
 }
 
-Scene load(const GpuScene& scene) {
+namespace {
+
+Scene loadModel(const GpuScene& scene) {
+    if (scene.file.empty()) {
+        Scene made;
+        addSphere(made, {0, 1, 0}, 1.0f, 40, 20);
+        return made;
+    }
     const std::filesystem::path file = scene.file.starts_with("scenes/")
                                            ? std::filesystem::path(METAMARCH_SOURCE_DIR) / scene.file
                                            : sharedScene(scene.file);
-    Scene loaded = loadScene(file, {.scale = scene.scale});
+    return loadScene(file, {.scale = scene.scale});
+}
+
+} // namespace
+
+Scene load(const GpuScene& scene) {
+    Scene loaded = loadModel(scene);
     if (scene.inStadium) {
         const Bounds bounds = boundsOf(loaded);
         const glm::vec3 size = bounds.hi - bounds.lo;

@@ -12,7 +12,7 @@ namespace metamarch::tests {
 
 struct GpuScene {
     std::string name;
-    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own
+    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own; "": a sphere
     float scale = 1.0f;
     AccelerationOptions options{};
     bool inStadium = false; // on a plane 10,000 times larger
