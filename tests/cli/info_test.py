@@ -72,6 +72,14 @@ class InfoTest(ProgramTest):
         for label in ("vertices", "triangles", "bounds", "lattice", "kd-tree", "leaves", "table", "memory", "built in"):
             self.assertRegex(text, rf"(?m)^{label} +\S")
 
+    def test_the_papers_settings(self):
+        words = SCENES / "objects.glb", "--unit", "0.1"
+        paper, ours = self.info(*words, "--preset", "paper"), self.info(*words)
+        self.assertEqual(paper["lattice"], ours["lattice"])
+        self.assertEqual(paper["tree"]["depth"], 16)
+        self.assertGreater(ours["tree"]["depth"], 16)
+        self.assertEqual((paper["triangles"], paper["table"]["cells"]), (17044, 180 * 77 * 180))
+
     def test_the_papers_models(self):
         folder = shared_scene("paper")
         models = {

@@ -70,8 +70,8 @@ class ProgramTest(unittest.TestCase):
         self.tmp.mkdir()
         self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(Path(folder.name) / "cache")}
 
-    def run_program(self, *words, stdout=subprocess.PIPE, **environment):
-        return subprocess.run([metamarch(), *words], cwd=self.tmp, stdout=stdout, stderr=subprocess.PIPE, text=True,
+    def run_program(self, *words, cwd=None, stdout=subprocess.PIPE, **environment):
+        return subprocess.run([metamarch(), *words], cwd=cwd or self.tmp, stdout=stdout, stderr=subprocess.PIPE, text=True,
                               timeout=300, check=False, env={**os.environ, **self.environment, **environment})
 
     def succeed(self, *words):

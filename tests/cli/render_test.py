@@ -3,15 +3,59 @@
 import json
 import math
 import os
+import struct
 import subprocess
+from array import array
 
-from program import SCENES, ProgramTest, channels_of, main, metamarch, shared_scene
+from arguments_test import triangle
+from program import SCENES, ProgramTest, channels_of, main, metamarch
 
 CORNELL = SCENES / "cornell.glb"
 # Three beams and two corners: boxes that no kd-tree can make.
 PINWHEEL = {"resolution": [7, 6, 5], "boxes": [[0, 0, 0, 3, 4, 2], [0, 0, 2, 7, 4, 5], [3, 0, 0, 7, 6, 2],
                                                [0, 4, 0, 3, 6, 5], [3, 4, 2, 7, 6, 5]]}
-MAX_RESIDENT = 3 << 30  # bytes, for the million triangles of MetalRoughSpheresNoTextures
+CUBE = """v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 1
+v 1 0 1
+v 1 1 1
+v 0 1 1
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 3 4 8 7
+f 1 5 8 4
+f 2 3 7 6
+"""
+SHEET_SIDE = 708  # squares, of two triangles each
+MAX_RESIDENT = 3 << 30  # bytes, for a sheet of a million triangles
+
+
+def write_sheet(path, side):
+    """A GLB of a wavy sheet of side x side squares."""
+    positions = array("f")
+    for y in range(side + 1):
+        for x in range(side + 1):
+            positions.extend((x / side, math.sin(20 * x / side) * math.cos(15 * y / side) / 20, y / side))
+    indices = array("I")
+    for corner in (y * (side + 1) + x for y in range(side) for x in range(side)):
+        above = corner + side + 1
+        indices.extend((corner, above, corner + 1, corner + 1, above, above + 1))
+    views = [positions.tobytes(), indices.tobytes()]
+    document = json.dumps({
+        "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(positions) // 3, "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5125, "count": len(indices), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(views[0])},
+                        {"buffer": 0, "byteOffset": len(views[0]), "byteLength": len(views[1])}],
+        "buffers": [{"byteLength": sum(map(len, views))}]}).encode()
+    document += b" " * (-len(document) % 4)
+    chunks = [(b"JSON", document), (b"BIN\0", b"".join(views))]
+    body = b"".join(struct.pack("<I", len(content)) + kind + content for kind, content in chunks)
+    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body)
 
 
 class RenderTest(ProgramTest):
@@ -67,17 +111,25 @@ class RenderTest(ProgramTest):
         self.succeed("compare", "default.exr", "index.exr")
 
     def test_a_scene_without_a_camera_is_framed(self):
-        alpha = self.picture(shared_scene("gltf/Box.glb"), "--size", "24x16")["A"]
+        (self.tmp / "cube.obj").write_text(CUBE)
+        alpha = self.picture("cube.obj", "--size", "24x16")["A"]
         border = [*alpha[0], *alpha[-1], *(row[0] for row in alpha), *(row[-1] for row in alpha)]
         self.assertEqual(set(border), {0})
         self.assertGreater(sum(map(sum, alpha)), 24 * 16 / 5)
 
     def test_orthographic_camera(self):
-        """A picture two units high of the unit square, turned back by 45 degrees about its lower side."""
-        picture = self.picture(shared_scene("gltf/Cameras/Cameras.gltf"), "--camera", "1", "--size", "48x36")
+        """A picture two units high of half the unit square, turned back by 45 degrees about its lower side."""
+        eye = [0.5, 0.5, 3]
+        triangle(self.tmp / "cameras.gltf",
+                 nodes=[{"mesh": 0, "rotation": [-math.sin(math.pi / 8), 0, 0, math.cos(math.pi / 8)]},
+                        {"camera": 0, "translation": eye}, {"camera": 1, "translation": eye}],
+                 cameras=[{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.01}},
+                          {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "zfar": 100, "znear": 0.01}}])
+        picture = self.picture("cameras.gltf", "--camera", "1", "--size", "48x36")
         hits = [(x, y) for y in range(36) for x in range(48) if picture["A"][y][x] == 1]
-        top = 27 - 18 * math.sqrt(0.5)
-        self.assertEqual(hits, [(x, y) for y in range(math.ceil(top - 0.5), 27) for x in range(15, 33)])
+        height = 18 * math.sqrt(0.5)
+        self.assertEqual(hits, [(x, y) for y in range(27) for x in range(15, 48)
+                                if (x + 0.5 - 15) / 18 + (27 - y - 0.5) / height < 1])
         self.assertEqual(picture["t"], picture["Z"])  # parallel rays
 
     def test_both_backends_draw_the_same_picture(self):
@@ -146,7 +198,8 @@ class RenderTest(ProgramTest):
         self.assertRegex(self.refuse(5, "render", CORNELL, "-o", "locked/a.exr"), r"cannot write locked/a.exr: .*denied")
 
     def test_memory_of_a_million_triangles(self):
-        scene = shared_scene("gltf/MetalRoughSpheresNoTextures.glb")
+        scene = self.tmp / "sheet.glb"
+        write_sheet(scene, SHEET_SIDE)
         words = [metamarch(), "render", scene, "-o", self.tmp / "a.exr", "--size", "640x480", "--quiet", "--integrator", "primary"]
         # The program's own memory: without the validation layers, and without the freed blocks AddressSanitizer keeps.
         own = {"METAMARCH_VALIDATION": "0", "ASAN_OPTIONS": f"{os.environ.get('ASAN_OPTIONS', '')}:quarantine_size_mb=1"}
