@@ -113,7 +113,13 @@ void writeStats(const nlohmann::ordered_json& report, const render::PreparedScen
     writeText(path, stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void runRender(const RenderOptions& options) {
+// Everything but where the results go.
+std::string changedOptions(const SettingList& given) {
+    constexpr std::string_view kOutputs[] = {"output", "stats", "quiet"};
+    return given.changedText(kOutputs);
+}
+
+void runRender(const RenderOptions& options, const SettingList& given) {
     checkArguments(options);
     const glm::uvec2 size = options.size;
     checkOutputs(options);
@@ -151,12 +157,13 @@ void runRender(const RenderOptions& options) {
     const render::RenderResult result =
         renderWithProgress(prepared, onDevice, camera, settings, options.quiet);
     printWarnings(result.warnings);
-    render::writePicture(result, {programVersion(), options.scenePath, sceneCamera}, options.outputPath,
-                         options.tone);
+    render::writePicture(result, {programVersion(), options.scenePath, sceneCamera, changedOptions(given)},
+                         options.outputPath, options.tone);
     if (!options.statsPath.empty()) {
         nlohmann::ordered_json report = reportRender(result);
         report["seconds"]["import"] = importSeconds;
         report["seconds"]["build"] = buildSeconds;
+        report["options"] = changedOptions(given);
         writeStats(report, prepared, onDevice, options.statsPath);
     }
     if (!options.quiet) {
@@ -199,7 +206,7 @@ Command makeRenderCommand() {
         "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16";
     command.run = [options](const SettingList& given) {
         chooseTone(given, options->path.integrator, options->tone);
-        runRender(*options);
+        runRender(*options, given);
     };
     return command;
 }

@@ -19,6 +19,7 @@ struct PictureOrigin {
     std::string software;  // with its version
     std::string sceneFile; // as the user calls it
     SceneCamera camera;
+    std::string options{}; // what differs from the defaults, as the command line takes it
 };
 
 // Writes imageOf(result), with a header that says how it was made. The PNG of a path tracer is opaque: the

@@ -42,12 +42,12 @@ Vertex loadVertex(const uint i) {
 vec4 loadColor(const uint i) { return uintBitsToFloat(LOAD4(colorWords, i)); }
 vec4 loadTangent(const uint i) { return uintBitsToFloat(LOAD4(tangentWords, i)); }
 
-// One load for each row of material_rows.h that the scene uses.
+// One load for each row of material_rows.inc that the scene uses.
 MaterialRecord loadMaterial(const uint i) {
     MaterialRecord record;
 #define PARAMETER(type, name, value) record.name = type(0);
 #define TEXTURE(name, value) record.name = kNoTextureRecord;
-#include "shared/material_rows.h"
+#include "shared/material_rows.inc"
 
     // Here an entry becomes `name = conversion`, so that record.X(words.x) reads
     // record.metallic = uintBitsToFloat(words.x).
@@ -73,7 +73,7 @@ MaterialRecord loadMaterial(const uint i) {
         record.W(words.w);                                                                                   \
     }                                                                                                        \
     ++row;
-#include "shared/material_rows.h"
+#include "shared/material_rows.inc"
     return record;
 }
 

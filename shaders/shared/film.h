@@ -46,6 +46,13 @@ SHARED_FN FilmPixel emptyPixel() {
     return FilmPixel(vec3(0.0f), 0u, vec3(0.0f), 0u, missFirst(), 0.0f, 0u, 0u, 0.0f, 0.0f, 0u, 0u, 0u);
 }
 
+// A pixel with this sample alone. It is not added to 0: drivers may fold that sum, and -0 would stay -0 on
+// one side.
+SHARED_FN FilmPixel onlySample(const vec3 radiance, const FirstHit first) {
+    return FilmPixel(radiance, 1u, radiance * radiance, 0u, first,
+                     first.triangleId == kNoTriangle ? 0.0f : 1.0f, 0u, 0u, 0.0f, 0.0f, 0u, 0u, 0u);
+}
+
 SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const FirstHit first) {
     FilmPixel added = sum;
     const bool isSound = isWithin(radiance, kLargestRadiance);

@@ -28,10 +28,10 @@ SHARED_FN FilmPixel shadePrimary(const Camera camera, const CameraRay view, cons
     first.t = ray.shift + hit.t;
     first.depth = first.t * dotProduct(view.dir, camera.forward);
     first.triangleId = hit.triangleId;
-    return addSample(emptyPixel(), material.baseColor * abs(dotProduct(first.normal, view.dir)), first);
+    return onlySample(material.baseColor * abs(dotProduct(first.normal, view.dir)), first);
 }
 
-SHARED_FN FilmPixel missPrimary() { return addSample(emptyPixel(), vec3(0.0f), missFirst()); }
+SHARED_FN FilmPixel missPrimary() { return onlySample(vec3(0.0f), missFirst()); }
 
 SHARED_ASSERT_SIZE(PrimaryPush, 8)
 

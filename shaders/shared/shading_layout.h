@@ -59,18 +59,18 @@ const uint kMaterialUnlit = 8u;
 const uint kMaterialMask = 16u;
 const uint kMaterialBlend = 32u;
 
-// Factors and textures of a Material (src/scene/material.h), as material_rows.h lists them.
+// Factors and textures of a Material (src/scene/material.h), as material_rows.inc lists them.
 struct MaterialRecord {
 #define PARAMETER(type, name, value) type name;
 #define TEXTURE(name, value) uint name;
-#include "material_rows.h"
+#include "material_rows.inc"
 };
 
 // In a MaterialRecord, of four words each.
 #define MATERIAL_ROW(condition, X, Y, Z, W) +1u
 #define MATERIAL_VECTOR_ROW(condition, XYZ, W) +1u
 const uint kMaterialRows = 0u
-#include "material_rows.h"
+#include "material_rows.inc"
     ;
 
 // TextureRecord::flags.

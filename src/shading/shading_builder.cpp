@@ -65,7 +65,7 @@ MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelS
     MaterialRecord record{};
 #define PARAMETER(type, name, value) record.name = value;
 #define TEXTURE(name, value) record.name = addTexture(value);
-#include "metamarch/shared/material_rows.h"
+#include "metamarch/shared/material_rows.inc"
     return record;
 }
 

@@ -90,6 +90,7 @@ class PathTest(ProgramTest):
         self.render(CORNELL, "--spp", "4", "--stats", "s.json")
         stats = json.loads((self.tmp / "s.json").read_text())
         self.assertEqual((stats["integrator"], stats["samplesPerPixel"], stats["rejectedSamples"]), ("path", 4, 0))
+        self.assertEqual(stats["options"], "--size 32x24 --spp 4")
         self.assertGreaterEqual(stats["rays"], 32 * 24 * 4)
         for key in ("msamplesPerSecond", "mraysPerSecond", "shadowRays"):
             self.assertGreater(stats[key], 0, key)

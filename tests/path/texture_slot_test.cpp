@@ -18,7 +18,7 @@ namespace metamarch::tests {
 namespace {
 
 struct Slot {
-    std::string name; // in material_rows.h
+    std::string name; // in material_rows.inc
     TextureRef Material::*texture;
     std::string channels; // that glTF names
     bool isSrgb;
@@ -156,7 +156,7 @@ TEST(TextureSlots, areAllHere) {
     std::set<std::string> expected;
 #define PARAMETER(type, name, value)
 #define TEXTURE(name, value) expected.insert(#name);
-#include "metamarch/shared/material_rows.h"
+#include "metamarch/shared/material_rows.inc"
     std::set<std::string> tested;
     for (const Slot& slot : slots()) {
         tested.insert(slot.name);

@@ -118,7 +118,7 @@ const StructLayout kStructs[] = {
      {
 #define PARAMETER(type, name, value) MEMBER(MaterialRecord, name),
 #define TEXTURE(name, value) MEMBER(MaterialRecord, name),
-#include "metamarch/shared/material_rows.h"
+#include "metamarch/shared/material_rows.inc"
      }},
     {"TextureRecord", sizeof(TextureRecord), {MEMBER(TextureRecord, level), MEMBER(TextureRecord, use)}},
     {"Emitter",

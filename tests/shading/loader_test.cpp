@@ -98,7 +98,7 @@ TEST_P(Loaders, putEveryWordWhereTheStructHasIt) {
     }
 }
 
-// The scene's materials as material_rows.h says that a kernel with these features sees them.
+// The scene's materials as material_rows.inc says that a kernel with these features sees them.
 MaterialRecord seenWith(const std::uint32_t features, const MaterialRecord& whole) {
     const auto hasFeature = [&](const std::uint32_t feature) { return (features & feature) != 0u; };
     MaterialRecord seen = whole;
@@ -109,14 +109,14 @@ MaterialRecord seenWith(const std::uint32_t features, const MaterialRecord& whol
         X Y Z W                                                                                              \
     }
 #define MATERIAL_VECTOR_ROW(condition, XYZ, W) MATERIAL_ROW(condition, XYZ, , , W)
-#include "metamarch/shared/material_rows.h"
+#include "metamarch/shared/material_rows.inc"
     return seen;
 }
 
 void expectSameMaterial(const MaterialRecord& found, const MaterialRecord& expected) {
 #define PARAMETER(type, name, value) EXPECT_EQ(found.name, expected.name) << #name;
 #define TEXTURE(name, value) EXPECT_EQ(found.name, expected.name) << #name;
-#include "metamarch/shared/material_rows.h"
+#include "metamarch/shared/material_rows.inc"
 }
 
 TEST_P(Loaders, readOnlyTheRowsWhoseConditionHolds) {
