@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the rows as a page for a README.
+// Writes the rows as a Markdown page.
 #pragma once
 #include "metamarch/bench/row.h"
 

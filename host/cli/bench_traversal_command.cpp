@@ -242,9 +242,10 @@ Command makeBenchTraversalCommand() {
     settings
         .words("device", options->devices,
                "Vulkan devices, see `metamarch devices`, with commas between, or all")
-        .takes("INDEX|NAME,...");
+        .takes("INDEX|NAME,...")
+        .also("devices");
     settings.text("json", options->jsonPath, "Write the rows as JSON").takes("FILE");
-    settings.text("markdown", options->markdownPath, "Write the rows as a page for a README").takes("FILE");
+    settings.text("markdown", options->markdownPath, "Write the rows as a Markdown page").takes("FILE");
     options->bench.declare(settings);
     declareImport(settings, options->import);
     declareStructure(settings, options->structure);

@@ -45,8 +45,9 @@ std::string optionNames(const Setting& setting) {
     if (setting.kind() == Setting::Kind::positional) {
         return setting.name();
     }
-    return setting.shortName().empty() ? "--" + setting.name()
-                                       : fmt::format("-{},--{}", setting.shortName(), setting.name());
+    std::string names = setting.shortName().empty() ? "" : fmt::format("-{},", setting.shortName());
+    names += "--" + setting.name();
+    return setting.otherName().empty() ? names : fmt::format("{},--{}", names, setting.otherName());
 }
 
 std::string valueName(const Setting& setting) {

@@ -113,6 +113,10 @@ Setting& Setting::shortly(const std::string& letter) {
     shortName_ = letter;
     return *this;
 }
+Setting& Setting::also(const std::string& otherName) {
+    otherName_ = otherName;
+    return *this;
+}
 Setting& Setting::oneOf(std::vector<std::string> names) {
     choices_ = std::move(names);
     return *this;

@@ -57,6 +57,7 @@ class Setting {
     const std::string& group() const { return group_; }
     const std::string& valueName() const { return valueName_; }
     const std::string& shortName() const { return shortName_; }
+    const std::string& otherName() const { return otherName_; }
     const std::vector<std::string>& choices() const { return choices_; }
     const std::vector<std::string>& excluded() const { return excluded_; }
     const std::vector<std::string>& needed() const { return needed_; }
@@ -73,6 +74,7 @@ class Setting {
     Setting& in(const std::string& groupName);
     Setting& takes(const std::string& placeholder); // the value's name in the help: "DEG"
     Setting& shortly(const std::string& letter);    // "o" for -o
+    Setting& also(const std::string& otherName);    // a second name, for those who expect it
     Setting& oneOf(std::vector<std::string> names); // other values are refused
     Setting& excludes(std::vector<std::string> others);
     Setting& needs(std::vector<std::string> others); // all of them
@@ -87,6 +89,7 @@ class Setting {
     std::string group_;
     std::string valueName_;
     std::string shortName_;
+    std::string otherName_;
     std::vector<std::string> choices_;
     std::vector<std::string> excluded_;
     std::vector<std::string> needed_;

@@ -15,19 +15,21 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 
-// Includes are relative to the folder, as with glslangValidator -I.
+// Includes are relative to the file that has them, else to the folder, as with glslangValidator -I.
 class Includer : public glslang::TShader::Includer {
   public:
     explicit Includer(const std::filesystem::path& folder) : root(folder) {}
 
-    IncludeResult* includeLocal(const char* const name, const char*, std::size_t) override {
-        const std::filesystem::path path = root / name;
-        std::ifstream file(path, std::ios::binary);
-        if (!file) {
-            return nullptr;
+    IncludeResult* includeLocal(const char* const name, const char* const includer, std::size_t) override {
+        const std::filesystem::path beside = std::filesystem::path(includer).parent_path() / name;
+        for (const std::filesystem::path& path : {beside, std::filesystem::path(name)}) {
+            std::ifstream file(root / path, std::ios::binary);
+            if (file) {
+                auto* const text = new std::string(std::istreambuf_iterator<char>(file), {});
+                return new IncludeResult(path.generic_string(), text->data(), text->size(), text);
+            }
         }
-        auto* const text = new std::string(std::istreambuf_iterator<char>(file), {});
-        return new IncludeResult(name, text->data(), text->size(), text);
+        return nullptr;
     }
 
     void releaseInclude(IncludeResult* const result) override {

@@ -68,7 +68,7 @@ SHARED_FN vec3 shearCorner(const Ray ray, const vec3 corner) {
 // The hit lies at the triangle: the weights U, V, W are all of one sign, so t lies between the depths of the
 // three vertices, and the ray's point at t is off the triangle by at most about 9 ulps of L^3 / |det|, L
 // being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
-// weights are computed again without cancellation. accel/README.md says who relies on it.
+// weights are computed again without cancellation. src/accel/README.md says who relies on it.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
     const vec3 a = shearCorner(ray, v0);
     const vec3 b = shearCorner(ray, v1);

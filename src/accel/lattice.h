@@ -9,7 +9,7 @@
 namespace metamarch {
 
 // A leaf lists every triangle that comes within this distance of it, as a fraction of the lattice's longest
-// side: 64 half-ulps. README.md in this folder adds up the rounding errors that it must cover.
+// side: 64 half-ulps. src/accel/README.md adds up the rounding errors that it must cover.
 inline constexpr double kReferenceMargin = 0x1p-18;
 
 // Geometry keeps this distance from the faces of the lattice, as a fraction of its longest side.

@@ -23,7 +23,7 @@ struct Split {
     double cost;
 };
 
-// Cost constants, in units of one triangle test. Chosen by measurement: README.md in this folder.
+// Cost constants, in units of one triangle test. Chosen by measurement: src/accel/MEASURED.md.
 inline constexpr double kStepCost = 1.5;
 inline constexpr double kEmptyBonus = 0.2; // fraction of its cost that a split saves if one child is empty
 

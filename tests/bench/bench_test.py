@@ -65,7 +65,7 @@ class TraversalTest(ProgramTest):
         for command in (["bench", "traversal", scene, *words],
                         ["render", scene, "-o", "out.exr", "--traversal", "ray_query"]):
             line = self.refuse(4, *command)
-            self.assertIn("--traversal ray_query", line)
+            self.assertRegex(line, r"traversal ray_query: .* lacks .*\(--traversal\)$")
             self.assertIn(f"lacks {lacking['ray_query']}", line)
 
     def test_rays_come_from_a_file(self):

@@ -79,7 +79,7 @@ TEST_F(SceneBuffers, refuseATableOverTheLimit) {
     const auto load = [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); };
     expectError(ErrorKind::outOfMemory, "meta table", load);
     expectError(ErrorKind::outOfMemory, "maxStorageBufferRange", load);
-    expectError(ErrorKind::outOfMemory, "choose a smaller --tree-depth or --cells", load);
+    expectError(ErrorKind::outOfMemory, "choose a smaller tree depth or fewer cells", load);
 }
 
 TEST_F(SceneBuffers, refuseExitBoxesOverTheLimit) {

@@ -39,8 +39,7 @@ TEST(TriangleChunks, refuseMoreRecordsThanTheyHold) {
     const std::uint64_t most = kTriangleChunks * kRecordsPerChunk;
     EXPECT_NO_THROW(chunkTriangles(most, kRange));
     for (const std::uint64_t count : {most + 1, std::uint64_t{1} << 30}) {
-        expectError(ErrorKind::outOfMemory,
-                    "maxStorageBufferRange (128.0 MiB); choose a smaller --tree-depth",
+        expectError(ErrorKind::outOfMemory, "maxStorageBufferRange (128.0 MiB); choose a smaller tree depth",
                     [&] { chunkTriangles(count, kRange); });
         expectError(ErrorKind::outOfMemory, std::to_string(count) + " triangle references",
                     [&] { chunkTriangles(count, kRange); });
