@@ -34,7 +34,7 @@ void assign(Setting& setting, const std::string& text) {
     try {
         setting.set(text);
     } catch (const Error& error) {
-        if (std::string_view(error.what()).starts_with(text)) {
+        if (!text.empty() && std::string_view(error.what()).starts_with(text + ": ")) {
             throw;
         }
         throw Error(error.kind, fmt::format("--{} {}: {}", setting.name(), text, error.what()));

@@ -113,9 +113,9 @@ void writeStats(const nlohmann::ordered_json& report, const render::PreparedScen
     writeText(path, stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-// Everything but where the results go.
+// All but where the results go, and the preset, which stands for other settings.
 std::string changedOptions(const SettingList& given) {
-    constexpr std::string_view kOutputs[] = {"output", "stats", "quiet"};
+    constexpr std::string_view kOutputs[] = {"output", "stats", "quiet", "preset"};
     return given.changedText(kOutputs);
 }
 

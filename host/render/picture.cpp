@@ -27,7 +27,9 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     add("metamarch/traversal", result.traversal);
     add("metamarch/integrator", std::string(nameOf(settings.path.integrator)));
     add("metamarch/scene", origin.sceneFile);
-    add("metamarch/options", origin.options);
+    if (!origin.options.empty()) {
+        add("metamarch/options", origin.options);
+    }
     add("metamarch/camera", origin.camera.name);
     add("metamarch/eye", point(origin.camera.eye));
     add("metamarch/forward", point(origin.camera.forward));

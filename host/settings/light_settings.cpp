@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace metamarch {
 namespace {
@@ -52,8 +53,11 @@ Setting::Access sunAccess(LightChoice& light) {
                 light.sunAzimuth = static_cast<float>(std::atan2(direction.z, direction.x));
             },
             [&light] {
+                const LightChoice plain;
+                const bool isMoved =
+                    light.sunElevation != plain.sunElevation || light.sunAzimuth != plain.sunAzimuth;
                 const float across = std::cos(light.sunElevation);
-                return light.kind == Kind::sky
+                return light.kind == Kind::sky && isMoved
                            ? fmt::format("{:.6g},{:.6g},{:.6g}", across * std::cos(light.sunAzimuth),
                                          std::sin(light.sunElevation), across * std::sin(light.sunAzimuth))
                            : "";
@@ -71,7 +75,8 @@ void declareLight(SettingList& list, LightChoice& light) {
     list.angle("env-rotation", light.rotation, {.wanted = "finite degrees"},
                "Turn the map around y, from +z towards +x")
         .slides({-180.0, 180.0, "%.0f deg"});
-    list.number("env-intensity", light.intensity, {0.0, 3e38, "a finite number of at least 0"},
+    list.number("env-intensity", light.intensity,
+                {0.0, std::numeric_limits<float>::max(), "a finite number of at least 0"},
                 "Multiply the radiance of map or sky")
         .takes("F")
         .slides({0.01, 100.0, "%.2f", true});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/settings/render_settings.h"
 
+#include <limits>
 #include <span>
 
 namespace metamarch {
@@ -28,7 +29,8 @@ void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerP
     list.count("max-bounces", path.maxBounces, 0, kMostBounces,
                "Scatter a path this often at most; 0: direct light alone")
         .slides({.least = 0, .most = 32, .format = "%.0f", .isWhole = true});
-    list.number("clamp", path.clamp, {0.0, 3e38, "a finite luminance of at least 0"},
+    list.number("clamp", path.clamp,
+                {0.0, std::numeric_limits<float>::max(), "a finite luminance of at least 0"},
                 "Limit what one connection to a light adds to a sample, in luminance; 0: no limit")
         .takes("L");
     list.choice("brdf", path.brdf, kBrdfs,

@@ -300,7 +300,8 @@ std::string SettingList::changedText(const std::span<const std::string_view> wit
         }
         text += fmt::format("{}--{}", text.empty() ? "" : " ", setting.name());
         if (setting.kind() != Setting::Kind::flag) {
-            text += ' ' + setting.text();
+            const std::string value = setting.text();
+            text += value.find(' ') == std::string::npos ? ' ' + value : " '" + value + "'";
         }
     }
     return text;

@@ -69,10 +69,7 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.driver = device.report().driverInfo;
     result.traversal = traversal;
     result.seconds.render = progressive.seconds();
-    const std::string options = fmt::format("{} {} {}", optionsText(state.camera, *state.scene->whole),
-                                            state.controls.changedText(), state.lightControls.changedText());
-    render::writePicture(result, {software, file.string(), request.camera, options}, name,
-                         state.settings.tone);
+    render::writePicture(result, {software, file.string(), request.camera}, name, state.settings.tone);
     return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The path tracer, one invocation a pixel. Each turn of the loop takes a path to its next surface and on; a
 // path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
-// neighbours' longer paths, and no state of a path ever leaves the registers. A
-// processor has no such neighbours: src/reference/path.cpp has a plain loop over the surfaces of one sample.
-// What both do in a turn is in shared/path.h.
+// neighbours' longer paths, and no state of a path ever leaves the registers.
+// A processor has no such neighbours: src/reference/path.cpp has a plain loop over the surfaces of one
+// sample. What both do in a turn is in shared/path.h.
 #include "lib/shading.glsl"
 #include "lib/tiles.glsl"
 #include "shared/film.h"

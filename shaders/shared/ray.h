@@ -3,8 +3,8 @@
 // on host and device.
 //
 // The origin is first moved to just before the scene box. From there on, every coordinate and therefore every
-// rounding error is bounded by the size of the box, no matter how far away the camera is. `src/accel/README.md`
-// bases its proof that no hit is lost on this.
+// rounding error is bounded by the size of the box, no matter how far away the camera is.
+// `src/accel/README.md` bases its proof that no hit is lost on this.
 #ifndef METAMARCH_SHARED_RAY_H
 #define METAMARCH_SHARED_RAY_H
 #include "math.h"

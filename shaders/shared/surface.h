@@ -12,9 +12,8 @@ const uint kSurfaceVolume = 1u;
 // Follows glTF 2.0, Appendix B, to the letter; otherwise energy is preserved.
 const uint kSurfaceSingleScatter = 2u;
 
-// The parameters of glTF 2.0 and its extensions, factor times texture, with linear colours. kPlainSurface has
-// all their defaults. Emission, alpha, KHR_materials_unlit and the interior of volumes are not part of the
-// BSDF.
+// The parameters of glTF 2.0 and its extensions, factor times texture, with linear colours. Emission, alpha,
+// KHR_materials_unlit and the interior of volumes are not part of the BSDF.
 struct SurfaceMaterial {
     vec3 baseColor;
     float metallic;

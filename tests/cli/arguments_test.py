@@ -233,6 +233,7 @@ CASES = [
     ("render cornell.glb -o a.exr --filter tent --integrator primary", 2, NO_OUTPUT, r"the rays of `primary` go .* \(--integrator, --aperture, --filter, --panorama\)"),
     ("render cornell.glb -o a.exr --filter gauss", 2, NO_OUTPUT, r"--filter gauss: give box, tent or blackman-harris"),
     ("render cornell.glb -o a.exr --tone-map film", 2, NO_OUTPUT, r"--tone-map film: give none, neutral, aces or agx"),
+    ("render cornell.glb -o a.exr --spp g", 2, NO_OUTPUT, r"--spp g: give a whole number from 1 to \d+"),
     ("render cornell.glb -o a.exr --spp many", 2, NO_OUTPUT, r"--spp many: give a whole number from 1 to \d+"),
     ("render cornell.glb -o a.exr --brdf phong", 2, NO_OUTPUT, r"--brdf phong: give compensated or gltf"),
     ("render cornell.glb -o a.exr --sky --background 1,1,1", 2, NO_OUTPUT, r"--background and --sky exclude each other"),

@@ -151,6 +151,10 @@ TEST(Setting, WritesWhatDiffersAsACommandLine) {
     EXPECT_EQ(picture.settings.changedText(), "--panorama --seed 5 --background 1,0.5,0");
     constexpr std::string_view kWithout[] = {"seed"};
     EXPECT_EQ(picture.settings.changedText(kWithout), "--panorama --background 1,0.5,0");
+    Picture lit;
+    lit.settings.at("sky").set("on");
+    lit.settings.at("camera").set("Front view");
+    EXPECT_EQ(lit.settings.changedText(), "--camera 'Front view' --sky");
 }
 
 TEST(Setting, PresetAndTreeDepthGoTogetherInEitherOrder) {
