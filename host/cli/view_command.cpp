@@ -140,8 +140,8 @@ Command makeViewCommand() {
     for (const render::ViewName& known : render::kViewNames) {
         views.emplace_back(known.name);
     }
-    settings.word("view", arguments->shown, std::move(views), "What the window shows in place of the picture")
-        .takes("NAME");
+    settings.word("view", arguments->shown, std::move(views),
+                  "What the window shows in place of the picture");
     settings
         .text("shaders", arguments->shaderFolder,
               "Folder of shaders that is watched for changes (default: the one of the build)")

@@ -36,8 +36,8 @@ class TraversalTest(ViewerTest):
 
     def views(self):
         """Their names in the order of the menu, as --help lists them."""
-        listing = re.search(r"--view TEXT:\{(.*?)\}", self.succeed("view", "--help"), re.DOTALL).group(1)
-        return [" ".join(name.split()) for name in listing.split(",")]
+        listing = re.search(r"--view (\S.*?)\n", self.succeed("view", "--help")).group(1)
+        return [" ".join(name.split()) for name in listing.split("|")]
 
     def test_views(self):
         views = self.views()
