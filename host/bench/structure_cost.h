@@ -19,11 +19,12 @@ struct StructureCost {
     double buildSeconds;
 };
 
-// Of the structure that shaders/CMakeLists.txt names for a traversal, or for the floor; builds it where that
-// has not been done. Nothing for peers, and where the driver walks a hierarchy of its own.
+// Returns the cost of the structure that shaders/CMakeLists.txt names for the traversal, or for the floor.
+// Builds the structure if nobody has asked for it yet. Returns nothing for peers, and where the driver walks
+// a hierarchy of its own.
 std::optional<StructureCost> structureCost(const StructureSet& set, std::string_view traversal);
 
-// Of one ray, from what rays do on average.
+// Bytes that one ray reads, from the means of visits and tests per ray.
 double fetchedBytes(const StructureCost& cost, double visitsPerRay, double testsPerRay);
 
 } // namespace metamarch::bench

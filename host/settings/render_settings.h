@@ -15,7 +15,7 @@
 
 namespace metamarch {
 
-// Those of kIntegrators, from the first on, that have a film which grows: all but `primary`.
+// The first three of kIntegrators have a film that gains samples; `primary` has none.
 inline constexpr std::size_t kFilmIntegrators = 3;
 
 void declareCamera(SettingList& list, ViewChoice& view);

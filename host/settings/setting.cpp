@@ -38,7 +38,7 @@ double numberWithin(const std::string& text, const NumberRange& range) {
     return *number;
 }
 
-// Of a number that single precision holds, and that it does not round to 0.
+// The number in single precision. A number that overflows there, or that rounds to 0, is refused.
 float floatWithin(const std::string& text, const NumberRange& range) {
     const double number = numberWithin(text, range);
     const auto single = static_cast<float>(number);

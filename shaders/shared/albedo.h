@@ -52,7 +52,7 @@ struct FacetAlbedo {
     float grazing; // for Schlick's weight; for f0 and f90 it is f0 * (whole - grazing) + f90 * grazing
 };
 
-// Of single-scatter microfacets. The error of `whole` is at most 0.4 %, that of `grazing` 0.6 %.
+// The albedo of single-scatter microfacets. The error of `whole` is at most 0.4 %, that of `grazing` 0.6 %.
 SHARED_FN FacetAlbedo facetAlbedo(const float cosine, const float alpha) {
     const float x = facetSlope(cosine, alpha);
     const float c0 =

@@ -15,13 +15,13 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bool isMiss(const FilmPixel& pixel) { return pixel.seen.triangleId == kNoTriangle; }
 
-// Of the samples that count, and of all.
+// The number of samples that are in the sums, and of all that were taken; at least 1 each.
 float counted(const FilmPixel& pixel) {
     return static_cast<float>(std::max(pixel.samples - pixel.rejected, 1u));
 }
 float taken(const FilmPixel& pixel) { return static_cast<float>(std::max(pixel.samples, 1u)); }
 
-// Of the pixel's colour, if its samples were independent; stratified ones are better.
+// The variance of the pixel's mean, as if its samples were independent. Stratified samples have less.
 glm::vec3 varianceOfMean(const FilmPixel& pixel) {
     const float count = counted(pixel);
     const glm::vec3 mean = meanRadiance(pixel);
