@@ -90,6 +90,7 @@ void runView(const ViewerArguments& arguments) {
     settings.light = arguments.light;
     settings.path = arguments.path;
     settings.samples = arguments.samplesPerPixel;
+    settings.pixelFilter = arguments.view.lens.pixelFilter;
     settings.tone = arguments.tone;
     settings.hasPanels = !arguments.hasNoPanels;
     settings.traversal = arguments.traversal.empty()

@@ -365,6 +365,7 @@ class Viewer {
         RenderRequest request;
         request.camera = sceneCameraOf(state.camera, *state.scene->whole);
         request.lens = lensOf(state.camera);
+        request.lens.pixelFilter = state.settings.pixelFilter;
         request.settings = state.settings.path.applied(state.scene->shown.shading->settings);
         request.view = state.settings.view;
         request.endSample = state.settings.samples;

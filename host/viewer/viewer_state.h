@@ -35,6 +35,7 @@ struct Settings {
     float splitAt = 0.5f;        // of the window's width
     ToneMapping tone;
     std::uint32_t samples = 1; // where the path tracer stops
+    std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;
     ImportOptions import;
     std::set<std::uint32_t> hiddenMeshes;

@@ -5,7 +5,7 @@ from viewer import CORNELL, ViewerTest, main
 
 class SavingTest(ViewerTest):
     def test_both_kinds(self):
-        viewer = self.open(CORNELL, "--spp", "5")
+        viewer = self.open(CORNELL, "--spp", "5", "--filter", "tent")
         viewer.wait_for_samples()
         (self.tmp / "cornell_002.png").write_text("somebody else's")
         for name in ("cornell_001.png", "cornell_003.png"):
@@ -16,7 +16,7 @@ class SavingTest(ViewerTest):
             viewer.wait_for_line(rf"saved {name}, 5 samples a pixel")
         self.assertEqual((self.tmp / "cornell_002.png").read_text(), "somebody else's")
         for ending in ("png", "exr"):
-            self.succeed("render", CORNELL, "--spp", "5", "--size", "160x120", "--quiet", "-o", f"headless.{ending}")
+            self.succeed("render", CORNELL, "--spp", "5", "--filter", "tent", "--size", "160x120", "--quiet", "-o", f"headless.{ending}")
         for name in ("cornell_001.png", "cornell_003.png"):
             self.succeed("compare", name, "headless.png", "--max-abs", "0")
         for name in ("cornell_001.exr", "cornell_002.exr"):
