@@ -150,7 +150,7 @@ TEST_P(Picture, writesHowItWasMade) {
     RenderSettings settings = by(Integrator::direct, 2);
     settings.path.seed = 5;
     const RenderResult result = render(settings);
-    render::writePicture(result, {"metamarch 0", "ball.glb", view}, folder / "a.exr");
+    render::writePicture(result, {"metamarch 0", "ball.glb", view, "--spp 2"}, folder / "a.exr");
     render::writePicture(result, {"metamarch 0", "ball.glb", view}, folder / "a.PNG");
     const Image exr = readImage(folder / "a.exr");
     std::map<std::string, std::string> header(exr.attributes.begin(), exr.attributes.end());
@@ -159,6 +159,7 @@ TEST_P(Picture, writesHowItWasMade) {
     EXPECT_EQ(header["metamarch/device"], result.device);
     EXPECT_EQ(header["metamarch/traversal"], result.traversal);
     EXPECT_EQ(header["metamarch/integrator"], "direct");
+    EXPECT_EQ(header["metamarch/options"], "--spp 2");
     EXPECT_EQ(header["metamarch/spp"], "2");
     EXPECT_EQ(header["metamarch/seed"], "5");
     EXPECT_EQ(header["metamarch/maxBounces"], "0");
