@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Splits the text of a mesh file into lines, words and numbers.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace metamarch {
+
+// Returns the number that is the whole word, or nothing. Forms such as "+1", ".5", "1." and "1e3" are
+// numbers, and so are "inf" and "nan" in any case. A number too large for a double is infinite, one too small
+// is zero.
+std::optional<double> parseNumber(std::string_view word);
+std::optional<std::int64_t> parseInteger(std::string_view word);
+
+// A line ends at \n, \r\n or \r, or where the text ends. Blanks are spaces, tabs, \v and \f. A byte order
+// mark before the first line is skipped.
+class TextScanner {
+  public:
+    explicit TextScanner(std::string_view text);
+
+    // Goes to the next line. Returns false where the text ends.
+    bool nextLine();
+
+    // Returns the next word of the line, or nothing where the line ends.
+    std::string_view nextWord();
+
+    // Returns what is left of the line, without blanks around it.
+    std::string_view restOfLine();
+
+    // Cuts the line where `mark` stands, for formats in which it starts a comment.
+    void cutLineAt(char mark);
+
+    std::uint64_t lineNumber() const { return lineNumber_; } // 1 is the first line
+
+  private:
+    std::string_view rest_;
+    std::string_view line_;
+    std::uint64_t lineNumber_ = 0;
+};
+
+} // namespace metamarch
