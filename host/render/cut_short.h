@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traversals that a driver ended before they were done.
+// Refuses results of traversals that the driver ended early.
 #pragma once
 #include "metamarch/vulkan/device.h"
 
@@ -8,7 +8,7 @@
 
 namespace metamarch::render {
 
-// Throws Error(outOfMemory), naming the limit, where a traversal reports kCutShort in place of its steps.
+// Throws Error(outOfMemory), naming the limit, if `steps` is kCutShort: the traversal did not finish.
 void refuseCutShort(std::uint32_t steps, const vulkan::Device& device, const std::string& traversal);
 
 } // namespace metamarch::render

@@ -11,19 +11,19 @@
 
 namespace metamarch::render {
 
-// Serves any number of pictures. The device must outlive it.
+// One DeviceScene serves any number of pictures. The device must outlive it.
 class DeviceScene {
   public:
-    // Throws Error(outOfMemory) where the scene does not fit the device.
+    // Throws Error(outOfMemory) if the scene does not fit the device.
     DeviceScene(const vulkan::Device& usedDevice, PreparedScene usedScene);
 
     const vulkan::Device& device() const { return onDevice; }
     const PreparedScene& scene() const { return prepared; }
     const SceneBuffers& buffers() const { return sceneBuffers; }
-    const ShadingBuffers& shading() const { return *shadingBuffers; } // only of a scene under its light
+    const ShadingBuffers& shading() const { return *shadingBuffers; } // only if scene().shading is set
 
     double uploadSeconds() const { return seconds; }
-    std::uint64_t bytes() const; // on the device so far
+    std::uint64_t bytes() const; // device memory in use; grows when pipelines need further structures
 
   private:
     const vulkan::Device& onDevice;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays whose hits are known in advance: the kernel `floor`, what tracing costs a device at least.
+// Traces rays whose hits are known in advance, with the kernel `floor`: the least that tracing costs a
+// device.
 #pragma once
 #include "metamarch/render/ray_batches.h"
 #include "metamarch/render/scene_buffers.h"
@@ -13,12 +14,13 @@ class FloorTracer {
   public:
     FloorTracer(const vulkan::Device& device, const SceneBuffers& scene);
 
-    // One result per ray, in their order. `recordIndices` names each ray's hit among the records of the
-    // AccelerationStructure; kNoRecord for a miss, for which nothing is tested.
+    // Returns one result per ray, in the order of `rays`. `recordIndices` holds, for each ray, the index of
+    // the record that it hits in AccelerationStructure::triangles, or kNoRecord for a miss. A miss tests no
+    // triangle.
     std::vector<RayResult> trace(std::span<const RayQuery> rays,
                                  std::span<const std::uint32_t> recordIndices);
 
-    // RayBatches::deviceSeconds of the last call of trace().
+    // Returns RayBatches::deviceSeconds of the last call of trace().
     double deviceSeconds() const { return batches.deviceSeconds(); }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures that make the algorithm visible: the kernels `inspect` and `cells`.
+// Draws views, which make the algorithm visible, with the kernels `inspect` and `cells`.
 #pragma once
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
@@ -17,38 +17,39 @@
 
 namespace metamarch::render {
 
-// One picture at a time, in submissions as short as the caller wants them. What it is made of must outlive
-// it.
+// Draws one picture at a time, in submissions as short as the caller wants. Device, scene and shading must
+// outlive it.
 class Inspector {
   public:
-    // `mostPixels`: room for pictures of that many. `spirv` and `cellsSpirv`, where there is some, take the
-    // place of the embedded shaders: kernel `inspect` with `traversal` and kernel `cells`, both built for
+    // Allocates room for pictures of up to `mostPixels` pixels. A `spirv` that is not empty replaces the
+    // embedded kernel `inspect` with `traversal`, and `cellsSpirv` the kernel `cells`; both must be built for
     // scene.memoryKind().
     Inspector(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
               const std::string& traversal, std::uint32_t mostPixels,
               std::span<const std::uint32_t> spirv = {}, std::span<const std::uint32_t> cellsSpirv = {});
 
-    // A new picture: `view` is one of kView…, `scaleMax` as they say, positive. Makes the view's pipeline,
-    // which it may share with others, at first need; submits no more than the camera. Until the picture is
-    // whole, the pixels still to come are those of the picture before. Throws std::invalid_argument for a
-    // picture without pixels or with more than mostPixels, a number that is no view, or a scale that is not
-    // positive.
+    // Begins a new picture. `view` is one of kView…; `scaleMax` is InspectPush::scaleMax and must be
+    // positive. The first call for a view creates its pipeline, which other views may share. It uploads the
+    // camera and draws nothing: until advance() reaches a pixel, it keeps its old colour. Throws
+    // std::invalid_argument if the picture has no pixels or more than mostPixels, if `view` is not a view, or
+    // if `scaleMax` is not positive.
     void start(const Camera& camera, std::uint32_t view, float scaleMax);
 
-    // One submission of about `targetSeconds` at most; true once the picture is whole, and nothing is
-    // submitted then. A trace that the driver ends early is drawn in kUnfinishedColor.
+    // Draws a part of the picture in one submission of about `targetSeconds`. Returns true once the picture
+    // is whole; it then submits nothing. Pixels whose trace the driver ends early get kUnfinishedColor.
     bool advance(double targetSeconds = WorkSize::kTargetSeconds);
 
     bool isWhole() const { return nextTile == tileCount; }
 
-    // What this picture took so far, without a pipeline's first submission, which may compile.
+    // Returns the time that the device has spent on this picture, without the first submission of a pipeline,
+    // in which the driver may compile it.
     double deviceSeconds() const { return seconds; }
 
-    // Pixels as packedPixel makes them, in rows: y * width + x. Larger where the picture is smaller than
-    // mostPixels.
+    // Holds the pixels in the format of packedPixel, at index y * width + x. The buffer has room for
+    // mostPixels, of which the picture fills the first width * height.
     const vulkan::Buffer& picture() const { return pixels; }
 
-    std::vector<std::uint32_t> download() const; // the picture, and no more
+    std::vector<std::uint32_t> download() const; // width * height pixels
 
   private:
     struct Program {
@@ -66,11 +67,11 @@ class Inspector {
     vulkan::Buffer camera;
     vulkan::Buffer pixels;
     vulkan::Submission submission;
-    std::vector<std::uint32_t> spirv; // in place of the embedded shaders; empty: none
+    std::vector<std::uint32_t> spirv; // replaces the embedded shader; empty: it does not
     std::vector<std::uint32_t> cellsSpirv;
-    std::map<ViewReads, Program> programs; // made so far
+    std::map<ViewReads, Program> programs; // created so far
 
-    // Of the picture.
+    // The current picture.
     Program* program = nullptr;
     std::uint32_t pixelCount = 0;
     std::uint32_t tilesPerRow = 0;

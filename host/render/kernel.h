@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Kernels that read no scene.
+// Creates pipelines of kernels that read no scene.
 #pragma once
 #include "metamarch/vulkan/compute_pipeline.h"
 
@@ -7,7 +7,7 @@
 
 namespace metamarch::render {
 
-// The kernel of that name in the program, which is there. `own` is all it has.
+// Returns the pipeline of the embedded kernel `name`, which must exist. `own` lists all of its bindings.
 vulkan::ComputePipeline makeKernel(const vulkan::Device& device, std::string_view name,
                                    vulkan::KernelInfo own);
 

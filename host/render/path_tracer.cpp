@@ -72,11 +72,11 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     const TileRange part = unfinished.count() > 0 ? unfinished : TileRange{next, next + count};
     const double before = sums.deviceSeconds;
     const bool isDone = dispatch(part, passEnd);
-    // As if there had been as many as asked for: at the end of a pass there are fewer.
+    // The last part of a pass is smaller than work.units(); scale its time up to that size.
     const double asked = static_cast<double>(work.units()) / (part.count() * samples);
     work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
     if (!isDone) {
-        // Fewer at a time from now on; this part is asked again for what it lacks.
+        // Take fewer samples at a time from now on. The next call repeats this part for the missing ones.
         fitting = std::max(fitting / 2, 1u);
         unfinished = part;
         return part;
@@ -89,7 +89,7 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     return part;
 }
 
-// Whether every pixel of the tiles has all its samples.
+// Returns true if every pixel of the tiles has all its samples.
 bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
     const double seconds = submission.run([&](vulkan::Commands& commands) {
         commands.fill(status, 0);
@@ -116,7 +116,7 @@ TileRange PathTracer::begunTiles() const {
 }
 
 void PathTracer::download(std::vector<FilmPixel>& pixels) const {
-    // The others have no samples yet, and their part of the film holds what was there before.
+    // Read only begun tiles: the others hold data of an earlier film.
     std::vector<FilmPixel> inTiles(std::size_t{begunTiles().count()} * kTilePixels);
     vulkan::read(device, filmBuffer, 0, std::as_writable_bytes(std::span(inTiles)));
     for (std::uint32_t i = 0; i < inTiles.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path tracer on a Vulkan device, one short submission at a time: for pictures that are rendered at one
-// go and for those that grow on a screen.
+// Runs the path tracer on a Vulkan device, one short submission at a time. Both whole pictures and pictures
+// that grow on a screen are made with it.
 #pragma once
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
@@ -16,7 +16,7 @@
 
 namespace metamarch::render {
 
-// Tiles of kTilePixels in rows over the picture: [first, end).
+// The tiles [first, end) of a picture. A tile has kTilePixels pixels; tiles are numbered row by row.
 struct TileRange {
     std::uint32_t first = 0;
     std::uint32_t end = 0;
@@ -24,7 +24,7 @@ struct TileRange {
     std::uint32_t count() const { return end - first; }
 };
 
-// How a picture is cut into tiles.
+// The number of tiles of a picture: in each row, and in all.
 struct Tiling {
     explicit Tiling(const Camera& camera);
 
@@ -32,53 +32,53 @@ struct Tiling {
     std::uint32_t count;
 };
 
-// Of the submissions since PathTracer was made, or since some other moment by a difference.
+// Sums over all submissions of a PathTracer. The difference of two values covers the time between them.
 struct PathCounters {
-    double deviceSeconds = 0.0; // without the first submission, which may compile
-    double firstSeconds = 0.0;  // the first submission
+    double deviceSeconds = 0.0; // of all submissions but the first
+    double firstSeconds = 0.0;  // of the first submission, in which the driver may compile the kernel
     std::uint32_t submissions = 0;
-    double samples = 0.0; // of one pixel each
-    double rays = 0.0;    // shadow rays, too
+    double samples = 0.0; // over all pixels
+    double rays = 0.0;    // with shadow rays
     double steps = 0.0;   // of all rays
     double tests = 0.0;
 };
 
 class PathTracer {
   public:
-    // Most samples of a pixel in one dispatch: paths of unequal length even out over them, and the pixel's
-    // sums are read and written once.
+    // The most samples of a pixel in one dispatch. With several samples, the unequal lengths of paths even
+    // out, and the pixel's sums are read and written only once.
     static constexpr std::uint32_t kSamplesAtOnce = 16;
 
-    // `mostTiles`: the film's room on the device. `spirv` replaces the kernel that the program contains.
-    // Throws Error(outOfMemory) where the film does not fit.
+    // Allocates a film of `mostTiles` tiles on the device. A `spirv` that is not empty replaces the embedded
+    // kernel. Throws Error(outOfMemory) if the film does not fit.
     PathTracer(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
                const std::string& traversal, std::uint32_t mostTiles,
                std::span<const std::uint32_t> spirv = {});
 
-    // A new film of `tiles` of the camera's picture, at most mostTiles of them, without samples.
+    // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
 
-    // One submission of about `targetSeconds`: some of the tiles get up to `samplesAtOnce` further samples,
-    // those at the picture's top first. Not beyond `endSample`, and none has more than samplesAtOnce more
-    // than another. Returns the tiles that have changed. Throws Error(outOfMemory) where the driver cuts a
-    // traversal short.
+    // Takes further samples in one submission of about `targetSeconds`. Passes run over the film from top to
+    // bottom, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample`; one
+    // call is a part of a pass. Returns the tiles that have changed. Throws Error(outOfMemory) if the driver
+    // cuts a traversal short.
     TileRange advance(std::uint32_t endSample, std::uint32_t samplesAtOnce, double targetSeconds);
 
-    // Those that have samples.
+    // Returns the tiles that have samples.
     TileRange begunTiles() const;
 
-    // Samples that every pixel has, and the mean over the tiles.
+    // samples() is the number that every pixel has, meanSamples() the mean over the tiles.
     std::uint32_t samples() const { return taken; }
     double meanSamples() const;
 
     const PathCounters& counters() const { return sums; }
 
-    // [tile - tiles.first][pixel in tile], of begunTiles().
+    // The layout is [tile - tiles.first][pixel in tile]. Only begunTiles() are valid.
     const vulkan::Buffer& film() const { return filmBuffer; }
     const Camera& camera() const { return input.camera; }
 
-    // Copies the film into a picture of camera.width * camera.height in rows from the top. Pixels without
-    // samples stay as they are.
+    // Copies the film into `pixels`, which holds camera.width * camera.height pixels in rows from the top.
+    // Pixels without samples stay as they are.
     void download(std::vector<FilmPixel>& pixels) const;
 
   private:
@@ -92,15 +92,15 @@ class PathTracer {
     vulkan::Buffer status;
     vulkan::Buffer statusReadback;
     vulkan::Submission submission;
-    WorkSize work; // in samples of a tile
+    WorkSize work; // unit: one sample of every pixel of a tile
     PathInput input{};
     TileRange tiles;
     std::uint32_t tilesPerRow = 0;
     std::uint32_t taken = 0;
-    std::uint32_t passEnd = 0;              // samples that the pass under way leads to
-    std::uint32_t next = 0;                 // its next tile
-    std::uint32_t fitting = kSamplesAtOnce; // samples that the driver brings to their end at once
-    TileRange unfinished;                   // the last part, where the driver left something of it undone
+    std::uint32_t passEnd = 0;              // the number of samples that the current pass ends with
+    std::uint32_t next = 0;                 // the next tile of the current pass
+    std::uint32_t fitting = kSamplesAtOnce; // the most samples per dispatch that the driver has finished
+    TileRange unfinished;                   // the last part, if the driver did not finish it
     PathCounters sums;
 };
 

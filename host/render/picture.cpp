@@ -37,7 +37,7 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     add("metamarch/seconds", fmt::format("{:.3f}", result.seconds.render));
 }
 
-// A PNG without the channel A is opaque.
+// writeImage makes an opaque PNG if there is no channel A.
 void renameAlpha(Image& image) {
     if (const auto alpha = image.findChannel("A")) {
         image.channels[*alpha] = "coverage";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From what was rendered to a picture and its file.
+// Turns the result of a render into a picture and writes it to a file.
 #pragma once
 #include "metamarch/image/image.h"
 #include "metamarch/image/tone_mapping.h"
@@ -11,19 +11,19 @@
 
 namespace metamarch::render {
 
-// With the integrator's channels (aovsOf).
+// Returns an image with the channels that the integrator writes (aovsOf).
 Image imageOf(const RenderResult& result);
 
-// What the header says besides what is in the RenderResult.
+// Facts for the header of the file that RenderResult does not have.
 struct PictureOrigin {
-    std::string software;  // with its version
-    std::string sceneFile; // as the user calls it
+    std::string software;  // name and version
+    std::string sceneFile; // as the user spells it
     SceneCamera camera;
-    std::string options{}; // what differs from the defaults, as the command line takes it
+    std::string options{}; // the settings that are not the default, as command line options
 };
 
-// Writes imageOf(result), with a header that says how it was made. The PNG of a path tracer is opaque: the
-// background is part of what it draws. Throws what writeImage throws.
+// Writes imageOf(result) with a header that says how the picture was made. The path tracer's PNG is opaque,
+// because the path tracer draws the background too. Throws what writeImage throws.
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
                   const ToneMapping& toneMapping = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene that is ready to be rendered: with its acceleration structure and under its light.
+// A scene that is ready to be rendered: with its acceleration structure and its light.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/scene/scene.h"
@@ -13,24 +13,24 @@
 
 namespace metamarch::render {
 
-// Copies share scene, structure and light, and nothing changes these: threads may render at the same time.
+// Copies share scene, structure and light. These never change, so threads may render at the same time.
 struct PreparedScene {
     // Builds the structure. Throws what buildAccelerationStructure throws.
     PreparedScene(std::shared_ptr<const Scene> usedScene, const AccelerationOptions& options);
 
-    // Lights the scene for the path tracer, in place of the light that it had. `name` is what warnings call
-    // the scene. Throws what makeSurroundings and makeShadingScene throw.
+    // Lights the scene for the path tracer; replaces the light that it had. Warnings call the scene `name`.
+    // Throws what makeSurroundings and makeShadingScene throw.
     void light(const std::string& name, const PathChoice& path, const LightChoice& choice);
 
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const AccelerationStructure> structure; // over `scene`
-    std::shared_ptr<const ShadingScene> shading;            // none before light(); `primary` needs none
+    std::shared_ptr<const ShadingScene> shading;            // null before light(); `primary` needs none
     ShadingOptions shadingOptions;                          // of `shading`
 
     std::vector<std::string> lightWarnings; // one line each, for the user
 };
 
-// What the user should know of a structure, one line each.
+// Returns warnings about a structure for the user, one line each.
 std::vector<std::string> warningsOf(const AccelerationStructure& structure);
 
 } // namespace metamarch::render

@@ -11,10 +11,10 @@
 namespace metamarch::render {
 namespace {
 
-// Tiles of one submission: 2^13 tiles of 64 pixels are 56 MiB of output.
+// The most tiles of one submission: 2^13 tiles of 64 pixels have 56 MiB of output.
 constexpr std::uint32_t kMostTiles = 1u << 13u;
 
-// Returns whether every pixel has its sample.
+// Returns true if every pixel has its sample.
 bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
               const std::uint32_t tilesPerRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
     const std::uint32_t left = tileIndex % tilesPerRow * kTileSide;

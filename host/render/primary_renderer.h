@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `primary` integrator on a Vulkan device.
+// Runs the integrator `primary` on a Vulkan device.
 #pragma once
 #include "metamarch/reference/rows.h"
 #include "metamarch/render/scene_buffers.h"
@@ -12,13 +12,13 @@ namespace metamarch::render {
 
 struct PrimaryRender {
     std::vector<FilmPixel> pixels; // camera.width * camera.height, in rows from the top
-    double deviceSeconds = 0.0;    // without the first submission, which may compile
-    double firstSeconds = 0.0;     // the first submission
+    double deviceSeconds = 0.0;    // of all submissions but the first
+    double firstSeconds = 0.0;     // of the first submission, in which the driver may compile the kernel
     std::uint32_t submissions = 0;
 };
 
-// `onProgress` is called after each submission. After it cancels, the pixels that are missing hold
-// emptyPixel(). Throws Error(outOfMemory) where the driver cuts a traversal short.
+// Calls `onProgress` after each submission; if it cancels, the missing pixels are emptyPixel(). Throws
+// Error(outOfMemory) if the driver cuts a traversal short.
 PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
                                     const std::string& traversal, const Camera& camera,
                                     const OnProgress& onProgress = {});

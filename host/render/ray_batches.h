@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a kernel of one invocation per ray over any number of rays.
+// Runs a kernel that has one invocation per ray, over any number of rays.
 #pragma once
 #include "metamarch/render/work_size.h"
 #include "metamarch/shared/ray_query.h"
@@ -11,18 +11,19 @@
 
 namespace metamarch::render {
 
-// Rays go to the device in batches within every device's limits and are traced in short submissions.
+// Uploads the rays in batches that are within every device's limits, and traces them in short submissions.
 class RayBatches {
   public:
-    // `kernelPipeline` has bindings kBindInput for the rays and kBindOutput for the results, and RaysPush.
+    // `kernelPipeline` must have the bindings kBindInput (rays) and kBindOutput (results), and the push
+    // constants RaysPush.
     RayBatches(const vulkan::Device& device, vulkan::ComputePipeline kernelPipeline);
 
-    // One result per ray, in their order. A kernel that is told the hits has a binding kBindKnownRecords for
-    // `knownRecords`, one per ray; for others they are empty.
+    // Returns one result per ray, in the order of `rays`. `knownRecords` holds one record index per ray for a
+    // kernel with the binding kBindKnownRecords; for other kernels it is empty.
     std::vector<RayResult> run(std::span<const RayQuery> rays, std::span<const std::uint32_t> knownRecords);
 
-    // What the last run() took on the device, without transfers and without its first submission of one
-    // workgroup, which may compile.
+    // Returns the time that the last run() took on the device, without transfers. The very first submission,
+    // of one workgroup, is left out as well, because the driver may compile the kernel in it.
     double deviceSeconds() const { return seconds; }
 
   private:

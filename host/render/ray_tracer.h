@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traces rays given one by one: the kernel `rays`, for tests and benchmarks.
+// Traces single rays with the kernel `rays`, for tests and benchmarks.
 #pragma once
 #include "metamarch/render/ray_batches.h"
 #include "metamarch/render/scene_buffers.h"
@@ -15,10 +15,11 @@ class RayTracer {
     RayTracer(const vulkan::Device& device, const SceneBuffers& scene, const std::string& traversal,
               bool anyHit);
 
-    // One result per ray, in their order. Throws Error(outOfMemory) where the driver cuts a traversal short.
+    // Returns one result per ray, in the order of `rays`. Throws Error(outOfMemory) if the driver cuts a
+    // traversal short.
     std::vector<RayResult> trace(std::span<const RayQuery> rays);
 
-    // RayBatches::deviceSeconds of the last call of trace().
+    // Returns RayBatches::deviceSeconds of the last call of trace().
     double deviceSeconds() const { return batches.deviceSeconds(); }
 
   private:

@@ -27,7 +27,7 @@ RenderCounts countOf(const std::vector<FilmPixel>& film) {
     return counts;
 }
 
-// `draw` fills the pixels of the result, and says where and how they were made.
+// `draw` fills the pixels of the result, and the members that say where and how they were made.
 template <class Draw>
 RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                       const OnProgress& onProgress, const Draw& draw) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A picture of a scene, by any integrator, on a device or on the CPU.
+// Renders a picture of a scene with any integrator, on a device or on the CPU.
 //
-//     const PreparedScene scene = ...;  // once: structure and light
+//     const PreparedScene scene = ...;  // builds structure and light; serves any number of pictures
 //     const DeviceScene onDevice(device, scene);
 //     const RenderResult result = renderPicture(onDevice, camera, settings);
 //     writePicture(result, origin, "picture.exr");
@@ -19,31 +19,31 @@ namespace metamarch::render {
 
 struct RenderSettings {
     PathChoice path;
-    std::uint32_t samplesPerPixel = 64; // `primary` takes one
-    std::string traversal;              // on a device; the CPU takes kd_stack
+    std::uint32_t samplesPerPixel = 64; // `primary` always takes one
+    std::string traversal;              // for a device; the CPU always uses kd_stack
 
     bool isPrimary() const { return path.integrator == Integrator::primary; }
 };
 
-// What the picture's rays took.
+// Totals over all rays of the picture.
 struct RenderCounts {
     double rays = 0.0;
     double shadowRays = 0.0;
     double steps = 0.0; // of all rays
     double tests = 0.0;
-    std::uint64_t hits = 0;     // pixels whose first sample meets something
-    std::uint64_t rejected = 0; // samples that were not finite
+    std::uint64_t hits = 0;     // pixels whose first sample hits a triangle
+    std::uint64_t rejected = 0; // samples whose radiance was not finite
 };
 
 struct RenderSeconds {
-    double upload = 0.0;          // of the scene to the device
+    double upload = 0.0;          // upload of the scene to the device
     double render = 0.0;          // wall time of renderPicture
-    double firstSubmission = 0.0; // which may compile
-    double device = 0.0;          // the others
+    double firstSubmission = 0.0; // the driver may compile the kernel in it
+    double device = 0.0;          // all other submissions
 };
 
 struct RenderResult {
-    RenderSettings settings; // that were asked for
+    RenderSettings settings; // as the caller gave them
     glm::uvec2 size{0};
     std::vector<FilmPixel> film; // in rows from the top
     bool isCancelled = false;    // some pixels have too few samples, or none
@@ -57,13 +57,13 @@ struct RenderResult {
     std::vector<std::string> warnings; // about this picture, one line each, for the user
 };
 
-// On the CPU, with the stack traversal. `onProgress` is called after each row. A cancelled picture is
-// returned with the pixels that are there, and with isCancelled. Throws std::invalid_argument where the scene
-// has no light, or light for another integrator.
+// Renders on the CPU, with the stack traversal. Calls `onProgress` after each row. If it cancels, returns the
+// picture as far as it is, with isCancelled. Throws std::invalid_argument if the integrator needs light and
+// the scene has none, or was lit for another integrator.
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress = {});
 
-// On the device. `onProgress` is called after each submission. Also throws what renderPathsOnDevice and
+// Renders on the device. Calls `onProgress` after each submission. Also throws what renderPathsOnDevice and
 // SceneBuffers::makePipeline throw.
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress = {});

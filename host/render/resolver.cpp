@@ -9,7 +9,7 @@
 namespace metamarch::render {
 namespace {
 
-constexpr std::uint32_t kMostGroups = 65535; // that every device takes in one dispatch
+constexpr std::uint32_t kMostGroups = 65535; // every device takes this many in one dispatch
 
 } // namespace
 

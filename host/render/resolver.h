@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From films to pictures of 8 bits, on the device: the kernel `resolve`.
+// Turns films into pictures with 8 bits per channel, on the device, with the kernel `resolve`.
 #pragma once
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/render/path_tracer.h"
@@ -11,13 +11,13 @@
 
 namespace metamarch::render {
 
-// A picture of packed pixels (shared/screen.h) in rows, and the film it is made of.
+// Owns a picture of packed pixels (shared/screen.h), in rows from the top, and refers to its film.
 class Resolver {
   public:
-    // `mostPixels`: room for pictures of that many. `film` must outlive it.
+    // Allocates room for pictures of up to `mostPixels` pixels. `film` must outlive the resolver.
     Resolver(const vulkan::Device& device, const vulkan::Buffer& film, std::uint32_t mostPixels);
 
-    // Some tiles of the film, which starts with tile 0, of a picture of size.x * size.y pixels.
+    // Resolves `tiles` of a picture of size.x * size.y pixels. The film must start with tile 0.
     void resolve(vulkan::Commands& commands, TileRange tiles, glm::uvec2 size,
                  const ToneMapping& toneMapping) const;
 

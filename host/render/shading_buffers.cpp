@@ -17,7 +17,7 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
     : features(scene.features) {
     const auto add = [&](const std::uint32_t binding, const auto& values, const char* name) {
         const std::span<const std::byte> data = std::as_bytes(std::span(values));
-        // A view needs an entry, also where the scene has none.
+        // A buffer view needs at least one entry, even if the scene has none.
         static constexpr std::array<std::byte, 16> kNone{};
         buffers.emplace(binding, vulkan::upload(device, data.empty() ? std::span(kNone) : data, name));
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the path tracer reads of a scene, on the device.
+// The buffers of a scene on the device that the path tracer reads.
 #pragma once
 #include "metamarch/shared/shading_scene.h"
 #include "metamarch/vulkan/buffer.h"
@@ -10,10 +10,10 @@
 
 namespace metamarch::render {
 
-// Must outlive the pipelines it is bound to.
+// Must outlive the pipelines that bindTo() has bound to it.
 class ShadingBuffers {
   public:
-    // Throws Error(outOfMemory) where it does not fit the device.
+    // Throws Error(outOfMemory) if the data does not fit the device.
     ShadingBuffers(const vulkan::Device& device, const ShadingScene& scene);
 
     // Adds the bindings that lib/shading.glsl declares, and the features as a specialization constant.

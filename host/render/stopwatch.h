@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wall-clock seconds since it was made.
+// Measures wall-clock seconds since its construction.
 #pragma once
 #include <chrono>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The views of inspect_view.h: how menus and command lines name them, and what they want.
+// The views of inspect_view.h: their names in menus and on command lines, and what they need.
 #pragma once
 #include "metamarch/shared/inspect_view.h"
 
@@ -9,11 +9,11 @@
 
 namespace metamarch::render {
 
-// What a view's kernel reads. Drivers that run both sides of a branch would look textures up for the views
-// that want none.
+// The data that a view's kernel reads. Each kind has a pipeline of its own, because drivers that run both
+// sides of a branch would look up textures for views that need none.
 enum class ViewReads { hits, materials, cells };
 
-// What InspectPush::scaleMax is to a view.
+// The meaning of InspectPush::scaleMax for a view.
 enum class ViewScale { none, count, distance };
 
 struct ViewName {
@@ -23,7 +23,7 @@ struct ViewName {
     ViewScale scale = ViewScale::none;
 };
 
-// In the order of menus, which is that of the numbers: kViewNames[view] is the view's row.
+// The order is that of the numbers, so kViewNames[view] is the view's row. Menus show the same order.
 inline constexpr auto kViewNames = std::to_array<ViewName>({
     {"steps", kViewSteps, ViewReads::hits, ViewScale::count},
     {"tests", kViewTests, ViewReads::hits, ViewScale::count},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much work goes into one submission.
+// Decides how much work goes into one submission.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -7,20 +7,20 @@
 
 namespace metamarch::render {
 
-// GPUs with a watchdog reset a device that is busy for seconds, and progress and Ctrl-C wait for a submission
-// to end: so the seconds of each one decide the size of the next.
+// A submission must be short: GPUs with a watchdog reset a device that is busy for seconds, and progress and
+// Ctrl-C wait until a submission ends. So the time of each submission decides the size of the next.
 class WorkSize {
   public:
     static constexpr double kTargetSeconds = 0.075;
 
-    // `units` is any measure of work, from 1 to `most`.
+    // A unit can be any measure of work. A submission has from 1 to `limit` units.
     explicit WorkSize(std::uint32_t limit) : most(limit) {}
 
     std::uint32_t units() const { return size; }
 
-    // Takes what the submission of units() took and what the next one is to take, and returns the former
-    // where it counts as tracing: the first submission also compiles the kernel on some drivers, so it holds
-    // one unit and says nothing.
+    // Call it after a submission of units() that took `seconds`; it sets units() so that the next one takes
+    // about `targetSeconds`. Returns `seconds`, or 0 for the first submission: on some drivers that one
+    // includes compilation, so it has only one unit and its time is not a measure of tracing.
     double finished(const double seconds, const double targetSeconds = kTargetSeconds) {
         if (!std::exchange(warm, true)) {
             return 0.0;
