@@ -41,7 +41,7 @@ void nextCamera(ViewerState& state) {
     state.say(fmt::format("camera {} '{}'", next, cameras[next].name));
 }
 
-// One that the device can run.
+// Returns the next traversal that the device can run.
 std::string nextTraversal(const vulkan::DeviceReport& device, const std::string& current) {
     const std::span<const std::string_view> all = traversals();
     auto at = std::ranges::find(all, current);
@@ -51,7 +51,7 @@ std::string nextTraversal(const vulkan::DeviceReport& device, const std::string&
     return std::string(*at);
 }
 
-// Through all views, the picture before the first.
+// Cycles through the path tracer's picture and all views.
 void turnView(Settings& settings, const int by) {
     constexpr int kCount = static_cast<int>(render::kViewNames.size()) + 1;
     const int current = settings.view ? static_cast<int>(*settings.view) + 1 : 0;

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What keys and buttons ask for that changes nothing but the state.
+// Performs the actions of keys and buttons that change only the viewer's state.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/vulkan/device_report.h"
 
 namespace metamarch::viewer {
 
-// From the eye to the middle of the scene; 1 where there is none.
+// Returns the distance from the eye to the middle of the scene, or 1 if it is 0 or the scene is empty.
 float distanceTo(const Bounds& scene, const glm::vec3& eye);
 
-// Where a scene is seen from at first that nobody has asked a camera of: its own first, else all of it.
+// Returns the camera that a scene is first seen with if the user has not chosen one: the first camera of its
+// file, or, if it has none, one that sees the whole scene.
 ViewCamera firstCamera(const LoadedScene& scene, float aspect);
 
-// Only with a scene. False for an action that takes more than the state: printing, saving, reading, quitting.
+// Performs `action`. Call it only with a scene. Returns false, and does nothing, for an action that needs
+// more than the state: printing, saving, reading and quitting.
 bool perform(Action action, const vulkan::DeviceReport& device, ViewerState& state);
 
 } // namespace metamarch::viewer

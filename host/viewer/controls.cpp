@@ -12,11 +12,11 @@ namespace metamarch::viewer {
 namespace {
 
 constexpr float kTurnPerPixel = 0.006f;   // radians
-constexpr float kClickSlack = 3.0f;       // pixels that a hand may slip while it clicks
-constexpr float kSplitReach = 6.0f;       // pixels beside the line between two sides
-constexpr float kZoomPerClick = 0.87f;    // what is left of the distance
-constexpr float kFlightPerSecond = 0.35f; // of the scene's diagonal
-constexpr double kLongestStep = 0.1;      // seconds: a frame that took longer moves no further
+constexpr float kClickSlack = 3.0f;       // pixels: a longer movement makes a click a drag
+constexpr float kSplitReach = 6.0f;       // pixels: how near to the split line a press must be to drag it
+constexpr float kZoomPerClick = 0.87f;    // factor of the distance
+constexpr float kFlightPerSecond = 0.35f; // as a fraction of the scene's diagonal
+constexpr double kLongestStep = 0.1;      // seconds: a longer frame moves no further
 constexpr double kFovPerKey = 1.05;
 constexpr float kStopsPerKey = 0.25f;
 
@@ -45,7 +45,7 @@ constexpr KeyHelp kHelp[] = {
     {"Ctrl+Q", "quit"},
 };
 
-// The middle of what there is, for a cursor over nothing.
+// Returns the point of the scene under the cursor; over the background, a point as far away as the target.
 glm::vec3 pointUnder(const ViewerState& state, const glm::vec2 place) {
     const Camera camera = state.traced();
     if (const std::optional<Pick> found = pick(*state.scene, camera, place)) {
@@ -153,7 +153,7 @@ void Controls::click(const glm::vec2 place, const int modifiers, ViewerState& st
     if (!(modifiers & GLFW_MOD_CONTROL)) {
         state.selected = found;
     } else if (found) {
-        constexpr float kFirstAperture = 0.01f; // of the distance, where there is no lens yet
+        constexpr float kFirstAperture = 0.01f; // as a fraction of the distance; replaces a pinhole
         state.camera.focusDistance = found->depth;
         if (state.camera.apertureRadius == 0.0f) {
             state.camera.apertureRadius = kFirstAperture * found->depth;

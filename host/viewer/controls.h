@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mouse and keyboard.
+// Turns mouse and keyboard input into changes of the viewer's state.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/viewer/window.h"
@@ -20,8 +20,8 @@ std::span<const KeyHelp> keyHelp();
 
 class Controls {
   public:
-    // Turns input into changes of the state's camera and settings, and into actions. `seconds` since the last
-    // call. Panels that want mouse or keyboard keep them.
+    // Applies `input` to the state's camera and settings, and adds actions to the state. `seconds` have
+    // passed since the last call. Ignores mouse or keyboard while a panel uses them.
     void apply(const Input& input, const Window& window, double seconds, ViewerState& state);
 
   private:

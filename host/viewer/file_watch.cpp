@@ -18,7 +18,7 @@ void FileWatch::watch(const std::vector<fs::path>& places) {
     seen = known;
 }
 
-// A file that is not there, or goes away meanwhile, is not in it.
+// Leaves out files that do not exist or disappear while it looks.
 FileWatch::State FileWatch::look() const {
     State state;
     const auto note = [&](const fs::path& file) {
@@ -54,8 +54,8 @@ bool FileWatch::hasChanged() {
     if (!isQuiet) {
         return false;
     }
-    // A file that is missing is no change: it is being replaced, or was an editor's own. It stays known, and
-    // is one when it comes back.
+    // A missing file is not a change: it is being replaced, or it was an editor's temporary file. Its old
+    // time stays in `known`, so that its return with another time is a change.
     bool isOther = false;
     for (const auto& [file, time] : seen) {
         const auto [at, isNew] = known.try_emplace(file, time);

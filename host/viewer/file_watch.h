@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that somebody else may change.
+// Detects changes of files that other programs write.
 #pragma once
 #include <chrono>
 #include <filesystem>
@@ -10,11 +10,12 @@ namespace metamarch::viewer {
 
 class FileWatch {
   public:
-    // From now on these: files, or folders with all that is in them. What they are like now is no change.
+    // Watches `places` from now on, in place of earlier ones. A place is a file, or a folder with all files
+    // under it. Their present state is not a change.
     void watch(const std::vector<std::filesystem::path>& places);
 
-    // Whether something has changed since the last time this said so, and has been left alone since the last
-    // look: who writes a file may not be done. Looks four times a second at most.
+    // Returns true once for each change, and only after two looks in a row have seen the same state, because
+    // another program may still be writing. Looks at most four times a second.
     bool hasChanged();
 
   private:

@@ -19,9 +19,9 @@ constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 150);
 constexpr ImU32 kPicked = IM_COL32(255, 210, 60, 255);
 constexpr ImU32 kRay = IM_COL32(255, 255, 255, 230);
-constexpr ImU32 kEmptyLeaf = IM_COL32(90, 170, 255, 200); // looked up, nothing to test
-constexpr ImU32 kFullLeaf = IM_COL32(255, 150, 60, 230);  // its triangles were tested
-constexpr ImU32 kExitBox = IM_COL32(120, 255, 140, 200);  // what the ray may cross after that
+constexpr ImU32 kEmptyLeaf = IM_COL32(90, 170, 255, 200); // a leaf without triangles
+constexpr ImU32 kFullLeaf = IM_COL32(255, 150, 60, 230);  // a leaf whose triangles were tested
+constexpr ImU32 kExitBox = IM_COL32(120, 255, 140, 200);  // the box that the ray may cross after the leaf
 constexpr ImU32 kHit = IM_COL32(255, 60, 90, 255);
 
 ImVec2 at(const glm::vec2 place) { return {place.x, place.y}; }
@@ -76,7 +76,7 @@ void drawPick(Painter& painter, const Pick& picked) {
     painter.dot(picked.position, kPicked, 3.0f);
 }
 
-// One step: the cell that was looked up, the leaf's exit box, the way through it.
+// Draws one step: the cell that was looked up, its leaf's exit box, and the point where the step begins.
 void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march, const MarchStep& step,
               const bool isChosen) {
     const ImU32 leafColor = step.triangleCount > 0 ? kFullLeaf : kEmptyLeaf;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Lines and labels drawn over the picture: the legend of a view, the line between two sides, what is picked,
-// the march of a ray.
+// Draws lines and labels over the picture: the legend of a view, the split line, the picked triangle and the
+// march of a ray.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 
 namespace metamarch::viewer {
 
-// Within a frame of Dear ImGui. Only with a scene.
+// Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(const ViewerState& state);
 
 } // namespace metamarch::viewer

@@ -15,12 +15,12 @@
 namespace metamarch::viewer {
 namespace {
 
-// Numbers may be typed into sliders, too.
+// The user may type a number into a slider; it is clamped as well.
 constexpr ImGuiSliderFlags kTypedWithin = ImGuiSliderFlags_AlwaysClamp;
 
 void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
 
-// A list of names; returns the one chosen now, else `current`.
+// Draws a list of names. Returns the name that the user chooses in this frame, otherwise `current`.
 template <class Names, class NameOf>
 std::string chooseName(const char* const label, const std::string& current, const Names& names,
                        const NameOf& nameOf) {
@@ -72,8 +72,8 @@ void drawTraversals(ViewerState& state) {
     }
 }
 
-// The control that the setting's kind asks for, with its help as a tooltip; nothing for a setting without
-// slider and choices.
+// Draws the control for the setting's kind, with its help as a tooltip. Draws nothing for a setting that is
+// neither a flag nor has choices or a slider.
 void drawSetting(Setting& setting) {
     if (setting.kind() != Setting::Kind::flag && setting.choices().empty() && !setting.slider()) {
         return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The panels over the picture.
+// Draws the panels over the picture.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 
 namespace metamarch::viewer {
 
-// Within a frame of Dear ImGui.
+// Call it within a frame of Dear ImGui.
 void drawPanels(ViewerState& state);
 
 } // namespace metamarch::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies under a pixel of the window: found on the CPU, by the judge.
+// Finds what is under a pixel of the window, on the CPU, with the judge.
 #pragma once
 #include "metamarch/reference/march_log.h"
 #include "metamarch/shared/camera.h"
@@ -19,16 +19,17 @@ struct Pick {
     glm::vec3 corners[3];
     glm::vec3 position;
     float distance; // from the eye
-    float depth;    // along the view; of a panorama the distance
+    float depth;    // along the view axis; for a panorama, the distance
 };
 
-// The ray through a point of the picture, in pixels from its upper left corner, through the lens's centre.
+// Returns the ray through the lens's centre and the point `place` of the picture, in pixels from the
+// picture's upper left corner.
 Ray rayThrough(const LoadedScene& scene, const Camera& camera, glm::vec2 place);
 
-// Nothing where the ray meets nothing.
+// Returns the hit of rayThrough(), or nothing if the ray hits no triangle.
 std::optional<Pick> pick(const LoadedScene& scene, const Camera& camera, glm::vec2 place);
 
-// A ray that stays where it was while the camera moves around it.
+// A ray and its march. The ray stays where it is while the camera moves, so that it can be looked at.
 struct FrozenMarch {
     glm::vec3 origin;
     glm::vec3 dir; // of unit length

@@ -23,7 +23,7 @@ std::string freeName(const std::string& stem, const std::string& ending) {
     }
 }
 
-// The light that becomes this byte of a PNG, and no other.
+// Inverts the sRGB curve, so that writeImage turns the result back into exactly this byte.
 float lightOf(const std::uint32_t byte) {
     const double coded = byte / 255.0;
     return static_cast<float>(coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures from the window to files, by the code that writes those of `metamarch render`.
+// Saves the window's pictures to files, with the same code as `metamarch render`.
 #pragma once
 #include "metamarch/viewer/progressive_image.h"
 #include "metamarch/viewer/viewer_state.h"
@@ -13,10 +13,11 @@ class PictureSaver {
   public:
     PictureSaver(std::string software, const vulkan::Device& device);
 
-    // ".png": what the left side shows, at the image's own size; ".exr": the path tracer's film with all its
-    // channels. Into the current folder, under the scene's name and the next free number. Returns a line for
-    // the user. Throws Error(outputNotWritable), and Error(invalidArgument) for an EXR of a view and a
-    // picture with empty parts.
+    // Writes a file into the current folder; its name is the scene's name with the next free number. An
+    // `ending` of ".png" saves what the left viewport shows, at the size of the progressive image; ".exr"
+    // saves the path tracer's film with all its channels. Returns a line for the user. Throws
+    // Error(outputNotWritable), and Error(invalidArgument) for an EXR of a view or for a picture that still
+    // has empty parts.
     std::string save(const ProgressiveImage& progressive, const RenderRequest& request,
                      const std::string& traversal, const ViewerState& state, const std::string& ending) const;
 

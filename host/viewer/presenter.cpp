@@ -20,7 +20,8 @@ using Stage = vk::PipelineStageFlagBits;
 
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
 
-// Keeps the picture that has been copied into the image, and leaves the image as a window takes it.
+// The render pass draws over the picture that has been copied into the image, and leaves the image in the
+// layout for presentation.
 vk::raii::RenderPass makeRenderPass(const vulkan::Device& device, const vk::Format format) {
     const vk::AttachmentDescription color({}, format, vk::SampleCountFlagBits::e1,
                                           vk::AttachmentLoadOp::eLoad, vk::AttachmentStoreOp::eStore,
@@ -58,14 +59,14 @@ Presenter::~Presenter() {
     try {
         device.handle().waitIdle(); // presentation has no fence
     } catch (const vk::SystemError&) {
-        // The device is lost: there is nothing to wait for.
+        // The device is lost, so there is nothing to wait for.
     }
     ImGui_ImplVulkan_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
 }
 
-// Leaves the old one where the window has no size.
+// Keeps the old swapchain if the window has no size.
 void Presenter::makeChain() {
     const glm::uvec2 size = window.pixels();
     if (size.x == 0) {
@@ -118,11 +119,11 @@ void Presenter::wait() {
 
 void Presenter::startPanels() {
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // nothing is written that was not asked for
+    ImGui::GetIO().IniFilename = nullptr; // no file is written that the user did not ask for
     ImGui::StyleColorsDark();
     ImGui::GetStyle().WindowRounding = 4.0f;
     ImGui::GetStyle().Colors[ImGuiCol_WindowBg].w = 0.88f;
-    ImGui_ImplGlfw_InitForVulkan(window.handle(), true); // calls the window's own callbacks, too
+    ImGui_ImplGlfw_InitForVulkan(window.handle(), true); // also calls the callbacks that Window has set
 
     const vk::DescriptorPoolSize sizes(vk::DescriptorType::eCombinedImageSampler, 1);
     panelPool = {device.handle(), vk::DescriptorPoolCreateInfo(
@@ -159,7 +160,7 @@ bool Presenter::beginFrame() {
             throw vulkan::refusalOf(error, fmt::format("{}: no pictures for the window", device.name()));
         }
     }
-    // Monitors differ in how large they show a pixel.
+    // The scale changes when the window moves to another monitor.
     const float scale = window.contentScale();
     if (scale != textScale) {
         ImGui::GetStyle().ScaleAllSizes(textScale == 0.0f ? scale : scale / textScale);
@@ -172,7 +173,7 @@ bool Presenter::beginFrame() {
     return true;
 }
 
-// Nothing where the chain no longer fits the window.
+// Returns nothing if the swapchain no longer fits the window.
 std::optional<std::uint32_t> Presenter::acquire() {
     try {
         const auto [result, image] = chain->handle().acquireNextImage(kForever, *acquired, nullptr);

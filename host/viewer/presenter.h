@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts pictures and panels into the window.
+// Presents pictures and panels in the window.
 #pragma once
 #include "metamarch/viewer/swapchain.h"
 #include "metamarch/viewer/window.h"
@@ -12,14 +12,14 @@
 
 namespace metamarch::viewer {
 
-// The bytes of the window's picture, in rows from the top.
+// The pixels of the window's picture, in rows from the top.
 struct Screen {
     glm::uvec2 size; // pixels
     const vulkan::Buffer& pixels;
-    bool isBlueFirst; // in memory: blue, green, red, alpha; else red, green, blue, alpha
+    bool isBlueFirst; // order in memory: blue, green, red, alpha; otherwise red, green, blue, alpha
 };
 
-// Owns Dear ImGui, whose panels lie over the picture. What it draws on must outlive it.
+// Owns Dear ImGui, which draws the panels over the picture. Context, device and window must outlive it.
 class Presenter {
   public:
     Presenter(const vulkan::Context& context, const vulkan::Device& device, Window& window);
@@ -27,14 +27,15 @@ class Presenter {
     Presenter(const Presenter&) = delete;
     Presenter& operator=(const Presenter&) = delete;
 
-    // Follows the window's size, and begins a frame of Dear ImGui. False where the window shows nothing,
-    // being minimised; then there is no frame.
+    // Follows the window's size and begins a frame of Dear ImGui. Returns false, and begins no frame, if the
+    // window is minimised.
     bool beginFrame();
 
-    // Ends it: `paint` writes the screen's pixels, the panels come on top. Waits for the frame before.
+    // Ends the frame: `paint` writes the screen's pixels, and the panels are drawn over them. Waits for the
+    // previous frame.
     void endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint);
 
-    // Until the last frame has been drawn: before what it was painted with goes away.
+    // Waits until the last frame has been drawn. Call it before destroying anything that `paint` used.
     void wait();
 
     glm::uvec2 size() const { return chain ? chain->size() : glm::uvec2(0); }

@@ -8,7 +8,8 @@
 namespace metamarch::viewer {
 namespace {
 
-// The picture changes soon and often at first, and costs less of it later.
+// With few samples at a time the picture changes soon and often, which matters at first. With many a sample
+// costs less.
 std::uint32_t samplesAtOnce(const std::uint32_t taken) {
     return std::clamp(taken / 4, 1u, render::PathTracer::kSamplesAtOnce);
 }
@@ -60,7 +61,7 @@ bool ProgressiveImage::advance(const double seconds) {
     return true;
 }
 
-// The views are drawn where they are seen: what was there before must go first.
+// The inspector draws into the buffer that the window shows, so the old picture must be cleared first.
 void ProgressiveImage::clear() {
     if (isToClear) {
         vulkan::Submission(device).run([&](vulkan::Commands& commands) { commands.fill(picture(), 0); });

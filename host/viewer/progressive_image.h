@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One picture of one size that grows: the path tracer's film, or a view of the algorithm.
+// A picture that is refined step by step: the path tracer's film, or a view of the algorithm.
 #pragma once
 #include "metamarch/render/device_scene.h"
 #include "metamarch/render/inspector.h"
@@ -15,50 +15,52 @@
 
 namespace metamarch::viewer {
 
-// What is to be seen.
+// Describes the picture to draw.
 struct RenderRequest {
     SceneCamera camera;
     CameraOptions lens;
-    PathSettings settings;             // of the path tracer
-    std::optional<std::uint32_t> view; // kView…: seen in place of what the path tracer draws
-    float scaleMax = 1.0f;             // of the view
-    std::uint32_t endSample = 1;       // of the path tracer
+    PathSettings settings;             // for the path tracer
+    std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
+    float scaleMax = 1.0f;             // for the view: InspectPush::scaleMax
+    std::uint32_t endSample = 1;       // for the path tracer: samples of each pixel
 };
 
 class ProgressiveImage {
   public:
-    // `most`: room on the device for a picture of that width and height. What it is made of must outlive it.
+    // Pictures have at most `most` pixels in width and height. Device, scene and shaders must outlive it.
     ProgressiveImage(const vulkan::Device& device, const render::DeviceScene& scene,
                      const std::string& traversal, glm::uvec2 most, const ShaderOverrides& shaders);
 
-    // A picture of at most that size, of which nothing is there yet.
+    // Begins a new, empty picture of `size` pixels.
     void start(const RenderRequest& request, glm::uvec2 size);
 
-    // One submission of about `seconds`; false, and nothing is submitted, where nothing is left to do.
+    // Continues the picture in one submission of about `seconds`. Returns false, and submits nothing, if the
+    // picture is finished.
     bool advance(double seconds);
 
-    // Every pixel shows something.
+    // Returns true if every pixel shows something.
     bool isWhole() const;
-    // Of the path tracer: the mean over the pixels, and what every pixel has.
+    // For the path tracer: samples() is the mean number over the pixels, wholeSamples() the number that every
+    // pixel has.
     double samples() const;
     std::uint32_t wholeSamples() const { return path->tracer.samples(); }
-    // Since start(), on the device.
+    // The time that the device has spent since start().
     double seconds() const;
 
     void setTone(const ToneMapping& toneMapping);
 
-    // Brings picture() up to what has been done.
+    // Brings picture() up to date with what advance() has done.
     void record(vulkan::Commands& commands);
 
     const vulkan::Buffer& picture() const;
     glm::uvec2 size() const { return pictureSize; }
 
-    // Of the path tracer since it was made; nothing where it never ran.
+    // The path tracer's counters since its construction; null if it has never run.
     const render::PathCounters* counters() const { return path ? &path->tracer.counters() : nullptr; }
 
-    // The film in rows; of the path tracer.
+    // Returns the film in rows from the top. Only for the path tracer's picture.
     std::vector<FilmPixel> film() const;
-    // The pixels in rows; of a view.
+    // Returns the pixels in rows from the top. Only for a view.
     std::vector<std::uint32_t> viewPixels() const { return inspector->download(); }
 
   private:
@@ -79,15 +81,15 @@ class ProgressiveImage {
     std::string traversal;
     glm::uvec2 most;
     const ShaderOverrides& shaders;
-    std::optional<Path> path; // from its first use on
+    std::optional<Path> path; // created on first use, like the inspector
     std::optional<render::Inspector> inspector;
 
     RenderRequest request;
     glm::uvec2 pictureSize{0};
     ToneMapping tone;
-    bool isToClear = false;                    // the picture still shows what was before start()
-    std::vector<render::TileRange> unresolved; // of the film
-    double secondsBefore = 0.0;                // of the path tracer, at start()
+    bool isToClear = false;                    // the buffer still holds the picture before start()
+    std::vector<render::TileRange> unresolved; // tiles of the film that picture() does not show yet
+    double secondsBefore = 0.0;                // the path tracer's deviceSeconds at start()
 };
 
 } // namespace metamarch::viewer

@@ -6,12 +6,13 @@
 namespace metamarch::viewer {
 namespace {
 
-// Of the coordinates' size: nearer to the eye, the division would have no meaning.
+// The least depth that is projected, as a fraction of the segment's distance and length; nearer to the eye,
+// rounding errors would dominate the quotient.
 constexpr float kNearest = 1e-4f;
 
 struct InView {
-    glm::vec2 place; // in half pictures, from the middle, times `depth`
-    float depth;     // along the view; 1 where rays are parallel
+    glm::vec2 place; // from the picture's middle, in halves of its size, times `depth`
+    float depth;     // along the view axis; 1 for parallel rays
 };
 
 } // namespace

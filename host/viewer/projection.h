@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// World to window.
+// Projects points of the world to the window.
 #pragma once
 #include "metamarch/shared/camera.h"
 
@@ -10,8 +10,8 @@
 
 namespace metamarch::viewer {
 
-// The part of a segment before the camera, in pixels of its picture; nothing where no part is, and of
-// panoramas, in which segments are no lines.
+// Returns the ends of the part of a segment that is in front of the camera, in pixels of its picture. Returns
+// nothing if no part is, and for panoramas, which show a segment as a curve.
 std::optional<std::array<glm::vec2, 2>> project(const Camera& camera, const glm::vec3& from,
                                                 const glm::vec3& to);
 

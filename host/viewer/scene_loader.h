@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes read and built by a thread of their own, so that the window goes on meanwhile.
+// Reads scenes and builds their structures in a thread, so that the window stays responsive.
 #pragma once
 #include "metamarch/error/error.h"
 #include "metamarch/render/prepared_scene.h"
@@ -25,7 +25,7 @@ struct SceneRequest {
     LightChoice light;
     PathChoice path;
     std::set<std::uint32_t> hiddenMeshes; // of Scene::meshes
-    std::uint32_t reading = 0;            // another number reads files anew
+    std::uint32_t reading = 0;            // a new number makes the loader read the files again
 };
 
 struct LoadedScene {
@@ -35,7 +35,7 @@ struct LoadedScene {
     Bounds bounds;               // of `whole`
     bool hasLight = false;       // hasLight(*whole)
     std::vector<std::string> warnings{};
-    double importSeconds = 0.0; // when the file was last read
+    double importSeconds = 0.0; // duration of the last reading of the file
 };
 
 class SceneLoader {
@@ -45,12 +45,12 @@ class SceneLoader {
     SceneLoader(const SceneLoader&) = delete;
     SceneLoader& operator=(const SceneLoader&) = delete;
 
-    // Of several requests only the last is answered. What it shares with the scene that was loaded last is
-    // kept: a change of light reads no file and builds no tree.
+    // Requests a scene. If there are several requests, only the last one is answered. The loader reuses what
+    // has not changed since the last scene: a change of light reads no scene file and builds no tree.
     void ask(SceneRequest request);
     bool isBusy() const;
 
-    // The answer, once: a scene, or the line that says why there is none.
+    // The answer to a request: a scene, or the reason why there is none. take() returns each answer once.
     struct Answer {
         std::shared_ptr<const LoadedScene> scene;
         std::optional<Error> refusal;
@@ -66,8 +66,8 @@ class SceneLoader {
     std::optional<SceneRequest> waiting;
     std::optional<Answer> ready;
     bool isWorking = false;
-    std::shared_ptr<const LoadedScene> last; // the thread's own
-    std::jthread thread;                     // last: it uses the others
+    std::shared_ptr<const LoadedScene> last; // used by the thread only
+    std::jthread thread;                     // the last member, because it uses the others
 };
 
 } // namespace metamarch::viewer

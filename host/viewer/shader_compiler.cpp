@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 
-// Includes are relative to the file that has them, else to the folder, as with glslangValidator -I.
+// Looks for an included file in the folder of the including file, then in `folder`, as glslangValidator -I
+// does.
 class Includer : public glslang::TShader::Includer {
   public:
     explicit Includer(const std::filesystem::path& folder) : root(folder) {}
@@ -43,7 +44,7 @@ class Includer : public glslang::TShader::Includer {
     const std::filesystem::path& root;
 };
 
-// What the build writes for each program: shaders/CMakeLists.txt.
+// Returns the stub that shaders/CMakeLists.txt writes for each program.
 std::string stub(const std::string& kernel, const std::string& traversal, const Memory memory) {
     const std::string include =
         traversal.empty() ? "" : fmt::format("#include \"traversal/{}.glsl\"\n", traversal);

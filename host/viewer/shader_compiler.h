@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GLSL to SPIR-V while the program runs, as the build does it: through glslang.
+// Compiles GLSL to SPIR-V at run time with glslang, as the build does.
 #pragma once
 #include "metamarch/shaders/shader_library.h"
 
@@ -10,20 +10,20 @@
 
 namespace metamarch::viewer {
 
-// One at a time.
+// At most one may exist at a time.
 class ShaderCompiler {
   public:
-    // `folder` holds what the project's shaders/ does.
+    // `folder` has the same layout as the project's shaders/.
     explicit ShaderCompiler(std::filesystem::path folder);
     ~ShaderCompiler();
     ShaderCompiler(const ShaderCompiler&) = delete;
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
     struct Result {
-        std::vector<std::uint32_t> spirv; // empty: it failed
-        std::string error;                // of the compiler, with file and line; several lines
+        std::vector<std::uint32_t> spirv; // empty: the compilation failed
+        std::string error;                // the compiler's messages, with file and line; several lines
     };
-    // `traversal` empty: the kernel needs none, or has its own.
+    // `traversal` is empty if the kernel needs none or has its own.
     Result compile(const std::string& kernel, const std::string& traversal, Memory memory) const;
 
     const std::filesystem::path& folder() const { return root; }

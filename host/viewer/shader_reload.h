@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaders compiled anew while somebody edits them.
+// Recompiles shaders while the user edits them.
 #pragma once
 #include "metamarch/viewer/file_watch.h"
 #include "metamarch/viewer/shader_compiler.h"
@@ -13,18 +13,18 @@ namespace metamarch::viewer {
 
 class ShaderReload {
   public:
-    // Watches `folder` where it is one; else nothing ever changes.
+    // Watches `folder`. If it is not a folder, hasChanged() is always false.
     explicit ShaderReload(const std::filesystem::path& folder);
 
     std::filesystem::path folder() const { return compiler ? compiler->folder() : std::filesystem::path(); }
 
     bool hasChanged() { return compiler && watch.hasChanged(); }
 
-    // Compiles what draws with these traversals alone. Returns the compiler's words where that fails, and
-    // leaves the overrides as they were.
+    // Compiles the kernels that the viewer uses, for `traversals` only. If that fails, returns the compiler's
+    // messages and leaves the overrides as they were; otherwise returns an empty text.
     std::string compile(const std::vector<std::string>& traversals, Memory memory);
 
-    // Whether shaders were compiled anew, but not those of all of these.
+    // Returns true if there are overrides, but not for all of `traversals`.
     bool lacks(const std::vector<std::string>& traversals) const;
 
     const ShaderOverrides& overrides() const { return current; }

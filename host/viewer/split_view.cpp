@@ -6,13 +6,14 @@
 namespace metamarch::viewer {
 namespace {
 
-// A frame while something changes: a coarse picture and the panels fit into the 50 ms of 20 frames a second.
+// Device time per frame for the coarse picture: together with the panels it fits into the 50 ms of 20 frames
+// per second.
 constexpr double kQuickSeconds = 0.025;
-// A submission while nothing changes; the window waits for one at most.
+// Length of a submission once the coarse picture is whole; an event waits for at most one per viewport.
 constexpr double kCalmSeconds = 0.06;
-constexpr double kMeasuredSeconds = 0.5; // that a rate is a mean over
+constexpr double kMeasuredSeconds = 0.5; // rates are means over this time
 
-constexpr std::uint32_t kEmptyPixel = 0xff201c1a; // dark, in either order of colours
+constexpr std::uint32_t kEmptyPixel = 0xff201c1a; // a dark grey, with either order of the channels
 
 } // namespace
 
@@ -55,7 +56,7 @@ bool SplitView::isWhole() const {
 
 bool SplitView::advance() {
     if (!isWhole()) {
-        // The first submissions are small: nobody knows yet how long they take.
+        // Submit several times: the first submissions are small, because their speed is not known yet.
         const Stopwatch stopwatch;
         do {
             for (const auto& viewport : viewports) {

@@ -18,8 +18,9 @@ class SplitView {
     bool isEmpty() const { return viewports.empty(); }
     bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
 
-    // One for each traversal, from left to right. Not while a frame that they were painted in is drawn; nor
-    // clear(). Scene and shaders must outlive them. Throws as Viewport.
+    // Creates one viewport for each traversal, from left to right. Neither make() nor clear() may be called
+    // while the device draws a frame of paint(): see Presenter::wait. Scene and shaders must outlive the
+    // viewports. Throws what Viewport throws.
     void make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
               glm::uvec2 windowSize, const ShaderOverrides& shaders);
     void clear();
@@ -27,17 +28,18 @@ class SplitView {
     void start(const RenderRequest& request);
     void setTone(const ToneMapping& toneMapping);
 
-    // What fits between two frames: a coarse picture as soon as can be, else one submission for each side.
-    // False where nothing is left to do. Throws as PathTracer::advance.
+    // Does the work between two frames: the coarse pictures, as far as the time allows; once they are whole,
+    // one submission for each viewport. Returns false if nothing is left to do. Throws what
+    // PathTracer::advance throws.
     bool advance();
 
-    // The left side ends at `line`, a part of the screen's width.
+    // Writes the screen. `line` is where the left viewport ends, as a fraction of the screen's width.
     void paint(vulkan::Commands& commands, const Screen& screen, float line);
 
-    // Counts a frame, and brings up to date what is measured.
+    // Counts a frame and updates the statistics.
     void measure(Statistics& statistics);
 
-    // What the left side shows, for files; not where it is empty.
+    // The picture of the left viewport, for files. There must be a viewport.
     const ProgressiveImage& progressive() const { return viewports.front()->fineImage(); }
     const RenderRequest& shown() const { return request; }
     const std::string& leftTraversal() const { return viewports.front()->traversal(); }
@@ -53,7 +55,7 @@ class SplitView {
     RenderRequest request;
 
     Stopwatch sinceMeasured;
-    int frames = 0; // since then
+    int frames = 0; // since sinceMeasured was started
     render::PathCounters countersBefore;
 };
 

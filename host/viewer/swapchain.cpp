@@ -22,7 +22,7 @@ vk::SurfaceFormatKHR chooseFormat(const vulkan::Device& device, const vk::raii::
                 fmt::format("{}: this window takes no 8-bit sRGB pictures", device.name()));
 }
 
-// Mailbox where there is one: the window never waits for the screen, the screen never shows half a picture.
+// Prefers mailbox: the program then never waits for the screen, and the screen never shows half a picture.
 vk::PresentModeKHR chooseMode(const vulkan::Device& device, const vk::raii::SurfaceKHR& surface) {
     const auto offered = device.physicalDevice().getSurfacePresentModesKHR(*surface);
     const bool hasMailbox = std::ranges::find(offered, vk::PresentModeKHR::eMailbox) != offered.end();
@@ -46,7 +46,7 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
     const vk::SurfaceFormatKHR format = chooseFormat(device, surface);
     imageFormat = format.format;
     blueFirst = imageFormat == vk::Format::eB8G8R8A8Unorm;
-    // Some surfaces say their size themselves, some leave it to the swapchain.
+    // Some surfaces set their size, others take that of the swapchain.
     constexpr std::uint32_t kAnySize = 0xffffffffu;
     imageSize = limits.currentExtent.width == kAnySize
                     ? glm::clamp(size, glm::uvec2(limits.minImageExtent.width, limits.minImageExtent.height),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The images that a window shows one after the other.
+// The images that a window shows in turn.
 #pragma once
 #include "metamarch/vulkan/device.h"
 
@@ -10,15 +10,16 @@
 
 namespace metamarch::viewer {
 
-// One size of a window: a window that changes gets another.
+// A swapchain is for one size of the window; after a change of size, a new one replaces it.
 class Swapchain {
   public:
-    // `previous` is retired by it, where there is one. Throws Error(noDevice) where the device cannot present
-    // to the surface, and vk::SystemError.
+    // Retires `previous`, which may be null. Throws Error(noDevice) if the device cannot present to the
+    // surface, and vk::SystemError.
     Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& surface, glm::uvec2 size,
               const Swapchain* previous);
 
-    // Bytes lie as the swapchain's 8-bit format wants them: without a curve of its own.
+    // Says whether blue is the first byte of a pixel. The format has 8 bits per channel and is not an sRGB
+    // format, so the bytes are shown unchanged.
     bool isBlueFirst() const { return blueFirst; }
     vk::Format format() const { return imageFormat; }
     glm::uvec2 size() const { return imageSize; }
@@ -32,7 +33,7 @@ class Swapchain {
     vk::Format imageFormat = vk::Format::eUndefined;
     glm::uvec2 imageSize{0};
     vk::raii::SwapchainKHR swapchain = nullptr;
-    std::vector<vk::Image> images; // the swapchain's
+    std::vector<vk::Image> images; // owned by the swapchain
     std::vector<vk::raii::ImageView> views;
 };
 

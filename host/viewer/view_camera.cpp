@@ -11,11 +11,12 @@
 namespace metamarch::viewer {
 namespace {
 
-// From `up` and from its opposite: closer, and the picture would turn round.
+// The least angle, in radians, between the view and `up` or its opposite. At the pole the picture would flip.
 constexpr float kLeastPolarAngle = 0.01f;
 
-// Zoomed in further, eye and target would be one point in single precision.
-constexpr float kLeastDistance = 1e-6f; // of the coordinates' size
+// The least distance between eye and target, as a fraction of their coordinates. Nearer, they would be one
+// point in single precision.
+constexpr float kLeastDistance = 1e-6f;
 
 double toDegrees(const float radians) { return static_cast<double>(radians) * 180.0 / std::numbers::pi; }
 
@@ -23,7 +24,7 @@ glm::vec3 turned(const glm::vec3& v, const glm::vec3& axis, const float angle) {
     return glm::angleAxis(angle, axis) * v;
 }
 
-// `v` turned around `up` and, within its limits, towards it.
+// Turns `v` by `around` around `up` and then by `towards` towards `up`, down to kLeastPolarAngle.
 glm::vec3 turnedAbout(const glm::vec3& v, const glm::vec3& up, const float around, const float towards) {
     const glm::vec3 pole = glm::normalize(up);
     const glm::vec3 spun = turned(v, pole, around);
@@ -37,7 +38,7 @@ glm::vec3 turnedAbout(const glm::vec3& v, const glm::vec3& up, const float aroun
     return turned(spun, glm::normalize(side), polar - wanted);
 }
 
-// The world's up where the camera does not lean to a side.
+// Returns the world's up if the camera is not tilted sideways, otherwise the camera's own.
 glm::vec3 freeUp(const Axes& axes) {
     constexpr float kUpright = 1e-4f;
     const glm::vec3 worldUp(0.0f, 1.0f, 0.0f);
@@ -52,7 +53,7 @@ void letGo(ViewCamera& camera) {
     }
 }
 
-// Of one of the file's cameras: another than the file says.
+// Returns true if the user has changed the field of view of a camera of the file.
 bool hasOwnFov(const ViewCamera& camera, const Scene& scene) {
     return camera.verticalFov != toDegrees(scene.cameras[*camera.fileCamera].verticalFov);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the viewer looks from, and how hands move it. No window in here.
+// The viewer's camera and how the user moves it. This file knows nothing about windows.
 #pragma once
 #include "metamarch/shading/view.h"
 
@@ -11,54 +11,55 @@
 
 namespace metamarch::viewer {
 
-// One of the file's cameras as it is, or eye, target and up of the user's own.
+// A camera of the scene's file, unchanged but for its lens, or a free camera with eye, target and up.
 struct ViewCamera {
-    std::optional<std::size_t> fileCamera; // of Scene::cameras; the first hand that moves it lets go of it
+    std::optional<std::size_t> fileCamera; // index in Scene::cameras; none: a free camera
     glm::vec3 eye{0.0f, 0.0f, 1.0f};
-    glm::vec3 target{0.0f}; // what it turns around
+    glm::vec3 target{0.0f}; // orbit() turns around it
     glm::vec3 up{0.0f, 1.0f, 0.0f};
-    double verticalFov = 45.0;           // degrees, of a perspective camera
-    std::optional<float> verticalExtent; // of parallel rays: height of the picture in world units
+    double verticalFov = 45.0;           // degrees, for a perspective camera
+    std::optional<float> verticalExtent; // parallel rays: height of the picture in world units
     float apertureRadius = 0.0f;         // world units; 0: a pinhole
-    std::optional<float> focusDistance;  // world units; none: far away
+    std::optional<float> focusDistance;  // world units; none: infinity
     bool isPanorama = false;
 
     bool operator==(const ViewCamera&) const = default;
 };
 
-// The file's camera `index`, with the target at `distance` along its view.
+// Returns the file's camera `index`, with its target at `distance` along its view axis.
 ViewCamera ofFile(const Scene& scene, std::size_t index, float distance);
 
-// After `before` was read again as `now`: where it was one of the file's cameras it is that one as it is now,
-// or stays where it is if that is gone. `distance` as above.
+// Returns the camera to use after the file of `before` was read again as `now`. A free camera stays as it is.
+// A camera of the file becomes the one that the file has now at the same index, or, if there is none, a free
+// camera in the same place. `distance` is as for ofFile.
 ViewCamera followed(const ViewCamera& camera, const Scene& before, const Scene& now, float distance);
 
-// Sees the whole of `bounds`: from where the command line looks by default, or, with `from`, in that camera's
-// direction.
+// Returns a camera that sees the whole of `bounds`: from the default direction of the command line, or in the
+// direction of `from`.
 ViewCamera framing(const Bounds& bounds, float aspect, double verticalFov);
 ViewCamera framing(const Bounds& bounds, float aspect, const ViewCamera& from);
 
-// What shaders and judges trace. `scene` has the file's cameras.
+// Return the camera and the lens that shaders and judges trace. `scene` has the file's cameras.
 SceneCamera sceneCameraOf(const ViewCamera& camera, const Scene& scene);
 CameraOptions lensOf(const ViewCamera& camera);
 
-// The options of `metamarch render` that make this camera of `scene` again, to the bit.
+// Returns the options with which `metamarch render` makes exactly this camera of `scene`.
 std::string optionsText(const ViewCamera& camera, const Scene& scene);
 
-// All of these let go of the file's camera. Angles in radians.
+// Each of the following makes the camera a free one. Angles are in radians.
 
-// Around the target; never over the poles of `up`.
+// Turns the eye around the target, but never past the poles of `up`.
 void orbit(ViewCamera& camera, float right, float down);
-// Turns the head.
+// Turns the target around the eye, but never past the poles of `up`.
 void look(ViewCamera& camera, float right, float down);
-// By parts of the picture's height at the target.
+// Moves eye and target sideways. The unit is the height of the picture at the target.
 void pan(ViewCamera& camera, float right, float up);
-// Towards the point where the factor is below 1, which stays where it is in the picture.
+// Multiplies the distance from `point` by `factor`. The point stays where it is in the picture.
 void zoom(ViewCamera& camera, float factor, const glm::vec3& point);
-// Along the camera's own axes, in world units.
+// Moves eye and target along the camera's axes. The unit is that of the world.
 void fly(ViewCamera& camera, float right, float up, float forward);
 
-// Right, up and forward, orthonormal.
+// The camera's axes; they are orthonormal.
 struct Axes {
     glm::vec3 right;
     glm::vec3 up;

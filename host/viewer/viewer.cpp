@@ -26,8 +26,8 @@
 namespace metamarch::viewer {
 namespace {
 
-// While nothing happens the window sleeps for so long at a time, less while a scene is on its way. Dear ImGui
-// takes some frames to answer an event.
+// While nothing happens, the window sleeps for kIdleSeconds at a time, and for kBusySeconds while a scene is
+// being loaded. It first draws kFramesAfterEvent frames, because Dear ImGui needs some to react to an event.
 constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
@@ -63,7 +63,7 @@ class Viewer {
         try {
             dropPictures();
         } catch (const std::exception&) {
-            // The device is lost, and whoever found out has said so.
+            // The device is lost; the exception that reported it is already on its way.
         }
     }
     Viewer(const Viewer&) = delete;
@@ -123,7 +123,7 @@ class Viewer {
         state.busy = fmt::format("reading {} ...", state.file.filename().string());
     }
 
-    // From before it is read: what changes meanwhile counts.
+    // Called before the file is read, so that a change during the reading counts.
     void watchFile() {
         if (watchedFile != state.file) {
             watchedFile = state.file;
@@ -154,7 +154,7 @@ class Viewer {
         }
     }
 
-    // What was asked for is refused: nobody wants it any more.
+    // Shows the refusal and resets the settings to those of the scene that is shown.
     void goBack(const std::string& refusal) {
         state.say(refusal);
         const SceneRequest& shown = state.scene->request;
@@ -171,7 +171,7 @@ class Viewer {
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
         const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
         state.size = presenter.size();
-        const ViewCamera camera = cameraFor(*loaded); // refuses one that the scene does not have
+        const ViewCamera camera = cameraFor(*loaded); // throws for a camera that the scene does not have
         auto next = std::make_unique<render::DeviceScene>(device, loaded->shown);
         dropPictures();
         deviceScene = std::move(next);
@@ -190,8 +190,8 @@ class Viewer {
         isStale = true;
     }
 
-    // Chosen on the command line; the first one, of a scene that was dropped on the window; else the one that
-    // the window has.
+    // Returns the camera of the command line for the first scene, firstCamera for another file, and the
+    // window's camera for the same file.
     ViewCamera cameraFor(const LoadedScene& loaded) const {
         if (!state.scene) {
             return options.chooseCamera(*loaded.whole, state.aspect());
@@ -243,7 +243,7 @@ class Viewer {
         askForScene();
     }
 
-    // --- what keys and buttons ask for ---
+    // --- actions of keys and buttons ---
 
     void act() {
         for (const Action action : std::exchange(state.actions, {})) {
@@ -288,7 +288,7 @@ class Viewer {
 
     // --- pictures ---
 
-    // What has changed decides what is done anew.
+    // Compares the settings with those before and restarts only what a change affects.
     void follow(const Settings& before, const ViewCamera& cameraBefore) {
         const Settings& now = state.settings;
         const bool isOtherScene = before.light != now.light || before.import != now.import ||
@@ -322,7 +322,7 @@ class Viewer {
         });
     }
 
-    // Whether the device has done something.
+    // Returns true if the device has worked.
     bool trace() {
         bool hasWorked = false;
         if (!splitView.isEmpty()) {
@@ -331,7 +331,7 @@ class Viewer {
         return hasWorked;
     }
 
-    // What the device cannot do is said, and not tried again until something changes.
+    // Shows the error if the device cannot do the work, and halts until something changes.
     void attempt(const std::function<void()>& work) {
         try {
             work();
@@ -374,7 +374,7 @@ class Viewer {
         return request;
     }
 
-    // Of the scene's box from the eye.
+    // Returns the distance from the eye to the farthest corner of the scene's box; it is positive.
     float farthestCorner() const {
         const Bounds& bounds = state.scene->bounds;
         const glm::vec3 away =
@@ -409,13 +409,13 @@ class Viewer {
     ViewerState state;
 
     std::unique_ptr<render::DeviceScene> deviceScene;
-    SplitView splitView;   // use the device scene
-    bool isStale = false;  // the picture is to begin anew
-    bool isHalted = false; // there is none until something changes, or the window's size
+    SplitView splitView;   // uses the device scene
+    bool isStale = false;  // the picture must begin anew
+    bool isHalted = false; // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};
-    int quietFrames = 0; // since something happened
+    int quietFrames = 0; // number of frames since something happened
     std::filesystem::path watchedFile;
-    std::uint32_t reading = 0; // SceneRequest's
+    std::uint32_t reading = 0; // SceneRequest::reading
     std::uint32_t newestReading = 0;
 };
 

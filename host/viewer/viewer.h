@@ -13,17 +13,18 @@ namespace metamarch::viewer {
 struct ViewerOptions {
     SceneRequest scene;
     Settings settings;
-    // Where the first view of a scene is seen from, in a picture of that width / height. Throws
-    // Error(invalidArgument) for a camera that the scene does not have.
+    // Returns the camera that the scene is first seen with, in a picture with `aspect` = width / height.
+    // Throws Error(invalidArgument) for a camera that the scene does not have.
     std::function<ViewCamera(const Scene& scene, float aspect)> chooseCamera;
-    std::string device;                 // --device
-    glm::uvec2 size{1280, 720};         // of the window
-    std::filesystem::path shaderFolder; // watched for changes; empty: none
-    std::string software;               // for the headers of pictures
+    std::string device;                 // see vulkan::chooseDevice
+    glm::uvec2 size{1280, 720};         // of the window, in the screen's units
+    std::filesystem::path shaderFolder; // is watched for changes; empty: none
+    std::string software;               // name and version, for the headers of pictures
 };
 
-// Opens a window and returns when it is closed. Throws Error(noDevice) without a display or a device that can
-// present to it, and whatever refuses the first scene; later ones are refused in the window.
+// Opens a window and returns when it is closed. Throws Error(noDevice) if there is no display or no device
+// that can present to it. Throws the Error of the first scene if that is refused; the window shows the errors
+// of later scenes.
 void runViewer(const ViewerOptions& options);
 
 } // namespace metamarch::viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the window's parts share: controls and panels change it, the viewer acts on what has changed.
+// The state that the window's parts share. Controls and panels change it, and the viewer reacts to changes.
 #pragma once
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/render/view_names.h"
@@ -20,21 +20,21 @@
 
 namespace metamarch::viewer {
 
-// Whether Settings::heatMax says what the view's hottest colour means.
+// Returns true if the view's colours are a heat map, whose hottest colour stands for Settings::heatMax.
 inline bool isHeatMap(const std::uint32_t view) {
     return render::kViewNames[view].scale == render::ViewScale::count;
 }
 
-// What the user has chosen.
+// The user's choices.
 struct Settings {
     PathChoice path;
-    std::optional<std::uint32_t> view; // kView…; none: what the path tracer draws
-    float heatMax = 32.0f;             // steps or tests of the hottest colour
+    std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
+    float heatMax = 32.0f;             // number of steps or tests with the hottest colour
     std::string traversal;
-    std::string secondTraversal; // the right side's traversal; empty: there is one side
-    float splitAt = 0.5f;        // of the window's width
+    std::string secondTraversal; // of the right viewport; empty: there is one viewport
+    float splitAt = 0.5f;        // the split line's place, as a fraction of the window's width
     ToneMapping tone;
-    std::uint32_t samples = 1; // where the path tracer stops
+    std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
     std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;
     ImportOptions import;
@@ -44,7 +44,7 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-// What a key or a button asks for, to be done once.
+// A request of a key or a button, to be performed once.
 enum class Action {
     frameAll,
     frameSelected,
@@ -67,13 +67,14 @@ struct Statistics {
     double samplesPerSecond = 0.0;
     double stepsPerRay = 0.0;
     double testsPerRay = 0.0;
-    double samples = 0.0;                    // of a pixel, so far
-    std::array<double, 2> viewportSeconds{}; // that left and right took for their pictures; 0: under way
+    double samples = 0.0;                    // mean number of samples per pixel so far
+    std::array<double, 2> viewportSeconds{}; // left and right: device time per sample, or of the whole view;
+                                             // 0: the first sample is not complete
     std::uint64_t deviceBytes = 0;           // of the scene
     std::string device;                      // its name and driver
 };
 
-// Declares those settings that the panels show.
+// Declares the settings that the panels show.
 void declareControls(SettingList& controls, SettingList& lightControls, Settings& settings);
 
 struct ViewerState {
@@ -83,21 +84,21 @@ struct ViewerState {
 
     std::filesystem::path file;
     Settings settings;
-    SettingList controls;      // what the panel always shows
-    SettingList lightControls; // of these, those that the kind of light has
+    SettingList controls;      // the panel shows all of them
+    SettingList lightControls; // the panel shows those that apply to the chosen kind of light
     ViewCamera camera;
     glm::uvec2 size{0}; // of the window, in pixels
 
     std::shared_ptr<const LoadedScene> scene; // none until the first one is there
-    std::string busy;                         // what the window waits for; empty: for nothing
-    std::deque<std::string> messages;         // the latest last
-    std::string shaderError;                  // of the last change of a shader; empty: there is none
-    std::string shaderFolder;                 // that is watched; empty: none
-    std::vector<std::string> runnable;        // traversals that the device can run
+    std::string busy;                         // says what the window waits for; empty: nothing
+    std::deque<std::string> messages;         // the newest is the last
+    std::string shaderError;                  // of the last change of a shader; empty: none
+    std::string shaderFolder;                 // the folder that is watched; empty: none
+    std::vector<std::string> runnable;        // the traversals that the device can run
 
     std::optional<Pick> selected;
     std::optional<FrozenMarch> march;
-    int marchStep = 0; // that is drawn in full; 0: all
+    int marchStep = 0; // number of the only step that is drawn, from 1; 0: all are
     Statistics statistics;
 
     std::vector<Action> actions;
@@ -105,10 +106,10 @@ struct ViewerState {
     void say(const std::string& line);
 
     float aspect() const { return static_cast<float>(size.x) / static_cast<float>(size.y); }
-    // Of the sides, from left to right.
+    // Returns the traversals of the viewports, from left to right.
     std::vector<std::string> traversals() const;
     bool hasSplit() const { return !settings.secondTraversal.empty(); }
-    // What the device traces at the window's size. Only with a scene.
+    // Returns the camera that the device traces at the window's size. Call it only with a scene.
     Camera traced() const;
 };
 

@@ -10,16 +10,16 @@
 namespace metamarch::viewer {
 namespace {
 
-// How many of the window's pixels, in each axis, a pixel of the coarse picture covers.
+// The sizes that a pixel of the coarse picture may have, in pixels of the fine one.
 constexpr std::array<std::uint32_t, 7> kCoarseness = {2, 3, 4, 6, 8, 12, 16};
-constexpr std::uint32_t kFirstCoarseness = 8; // while nobody knows how fast the device is
+constexpr std::uint32_t kFirstCoarseness = 8; // until the device's speed is known
 
-// Films are large, and a device need not be able to bind more.
+// Bounds the film, whose pixels are large.
 constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 
 glm::uvec2 divided(const glm::uvec2 size, const std::uint32_t by) { return (size + by - 1u) / by; }
 
-// The window's own size, or a whole part of it where the film would be too large.
+// Returns the window's size, or, if the film would be too large, that size divided by a whole number.
 glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
     const std::uint64_t most = std::min(kMostFilmBytes, device.report().maxStorageBufferRange);
     std::uint32_t by = 1;

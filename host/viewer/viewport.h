@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one traversal shows of the scene at the window's size: at once and coarse, then fine.
+// Shows the scene with one traversal at the window's size: first a coarse picture, then a fine one.
 #pragma once
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/progressive_image.h"
@@ -11,21 +11,21 @@ namespace metamarch::viewer {
 
 class Viewport {
   public:
-    // `size` of the window, in pixels.
+    // `size` is that of the window, in pixels.
     Viewport(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
              glm::uvec2 size, const ShaderOverrides& shaders);
 
-    // From now on it shows this. The coarse picture takes about `seconds` of the device.
+    // Begins a new picture. The size of the coarse picture is such that it takes the device about `seconds`.
     void start(const RenderRequest& request, double seconds);
     void setTone(const ToneMapping& toneMapping);
 
-    // One submission of about `seconds`; false where nothing is left to do.
+    // Continues in one submission of about `seconds`. Returns false if nothing is left to do.
     bool advance(double seconds);
 
-    // Every pixel of the window shows something of the request.
+    // Returns true if every pixel of the window shows something of the request.
     bool isWhole() const { return coarse.isWhole(); }
 
-    // Writes the columns [first, end) of the screen, if any. Once in a frame.
+    // Writes the columns [first, end) of the screen, which may be none. Call it once per frame.
     void record(vulkan::Commands& commands, const Screen& screen, std::uint32_t first, std::uint32_t end);
 
     const std::string& traversal() const { return name; }
@@ -40,11 +40,12 @@ class Viewport {
     glm::uvec2 fineSize;
     ProgressiveImage coarse;
     ProgressiveImage fine;
-    // Of the path tracer's pictures, and of the views', from their first use on.
+    // The kernel `present`, bound to the path tracer's pictures and to the views'; each is created on first
+    // use.
     std::optional<vulkan::ComputePipeline> presentPath;
     std::optional<vulkan::ComputePipeline> presentView;
     bool isView = false;
-    double secondsPerPixel = 0.0; // of the coarse picture, when it was last whole; 0: never yet
+    double secondsPerPixel = 0.0; // of the last whole coarse picture; 0: there was none
 };
 
 } // namespace metamarch::viewer

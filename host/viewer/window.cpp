@@ -111,7 +111,7 @@ float Window::contentScale() const {
     return scale > 0.0f ? scale : 1.0f;
 }
 
-// A window may count in other units than its picture has pixels.
+// Converts from the screen's units to pixels.
 glm::vec2 Window::cursor() const {
     int width = 1;
     int height = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window, through GLFW: its surface, its size, what hands and other programs do to it.
+// The window, through GLFW: its surface, its size and its input.
 #pragma once
 #include <glm/glm.hpp>
 #include <vulkan/vulkan_raii.hpp>
@@ -24,30 +24,30 @@ struct ButtonChange {
     glm::vec2 place; // pixels of the picture, from its upper left corner
 };
 
-// What has happened since the last look.
+// The events since the last Window::poll.
 struct Input {
     std::vector<KeyPress> keys;
     std::vector<ButtonChange> buttons;
     std::vector<std::filesystem::path> dropped;
-    float scroll = 0.0f; // clicks of the wheel, away from the user
+    float scroll = 0.0f; // clicks of the wheel; positive: away from the user
 };
 
-// GLFW itself. One at a time.
+// Initialises GLFW. At most one may exist at a time.
 class WindowSystem {
   public:
-    // Throws Error(noDevice) without a display, or where its windows cannot show what Vulkan draws.
+    // Throws Error(noDevice) if there is no display, or if Vulkan cannot draw to its windows.
     WindowSystem();
     ~WindowSystem();
     WindowSystem(const WindowSystem&) = delete;
     WindowSystem& operator=(const WindowSystem&) = delete;
 
-    // That a Vulkan instance for windows needs.
+    // Returns the extensions that a Vulkan instance needs for windows.
     std::vector<const char*> instanceExtensions() const;
 };
 
 class Window {
   public:
-    // `size` in the screen's own units. Throws Error(noDevice).
+    // `size` is in the screen's units, which need not be pixels. Throws Error(noDevice).
     Window(const WindowSystem& system, glm::uvec2 size, const std::string& title);
     ~Window();
     Window(const Window&) = delete;
@@ -56,13 +56,13 @@ class Window {
     // Throws Error(noDevice).
     vk::raii::SurfaceKHR makeSurface(const vk::raii::Instance& instance) const;
 
-    // Takes what has happened; with `seconds` above 0 it waits that long for something to happen.
+    // Returns the events since the last call. If there are none, waits up to `seconds` for one.
     Input poll(double seconds = 0.0);
 
     bool isClosing() const;
     void close();
-    glm::uvec2 pixels() const;  // 0 in both where it is minimised
-    float contentScale() const; // pixels that text takes in place of one
+    glm::uvec2 pixels() const;  // size in pixels; (0, 0) if the window is minimised
+    float contentScale() const; // factor by which text and panels must grow on this monitor
     glm::vec2 cursor() const;   // as ButtonChange::place
     bool isHeld(int key) const; // GLFW_KEY_…
     void setTitle(const std::string& title);
@@ -74,8 +74,8 @@ class Window {
     GLFWwindow* window;
     std::string title;
     Input input;
-    // Where the cursor was when the last of `input` happened, in the window's own units: the pointer may be
-    // far ahead of events that have waited for a slow frame.
+    // Where the cursor was at the last event of `input`, in the screen's units. The pointer itself may be far
+    // ahead, if events have waited for a slow frame.
     glm::dvec2 cursorPlace{0.0};
 };
 
