@@ -13,7 +13,8 @@
 namespace metamarch::vulkan {
 namespace {
 
-// In bytes. The smallest maxUniformBufferRange that Vulkan allows, far more than any kernel's constants need.
+// The size of uniform bindings in bytes: the smallest maxUniformBufferRange that Vulkan allows, and far more
+// than the constants of any kernel.
 constexpr uint64_t kUniformRange = 16384;
 
 void requireLimits(const DeviceReport& device, const KernelInfo& info) {

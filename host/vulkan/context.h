@@ -16,7 +16,7 @@ inline constexpr uint32_t kApiVersion = VK_API_VERSION_1_2;
 
 // Opens the Vulkan loader. Must outlive every Device made from it.
 //
-// With METAMARCH_VALIDATION=1 in the environment, the Khronos validation layer runs with synchronization
+// If the environment has METAMARCH_VALIDATION=1, the Khronos validation layer runs with synchronization
 // validation. Each of its warnings and errors is counted and written to stderr as one line.
 //
 // Throws Error(noDevice), naming the package to install, if there is no loader, no driver or no device, if
@@ -28,7 +28,7 @@ class Context {
 
     const vk::raii::Instance& instance() const { return instance_; }
 
-    // In the loader's order, which is the INDEX of --device.
+    // Returns the devices in the loader's order; chooseDevice counts them in this order.
     const std::vector<vk::raii::PhysicalDevice>& physicalDevices() const { return physicalDevices_; }
 
   private:

@@ -14,9 +14,9 @@ namespace metamarch::vulkan {
 // among equals. Returns nothing if no device is usable.
 std::optional<uint32_t> defaultDevice(std::span<const DeviceReport> reports);
 
-// Returns the index of the device that `selection` (--device) names. Empty means the default device; digits
-// only mean that index; anything else is a part of the name, in any case, that must match exactly one usable
-// device. Throws Error(noDevice), listing the devices and why they are refused.
+// Returns the index of the device that `selection` names. An empty text names the default device, a text of
+// digits the device with that index. Any other text must be a part of the name of exactly one usable device;
+// upper and lower case are equal. Throws Error(noDevice), listing the devices and why they are refused.
 uint32_t chooseDevice(std::span<const DeviceReport> reports, const std::string& selection);
 
 } // namespace metamarch::vulkan

@@ -9,7 +9,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-// What every kernel may rely on.
+// The limits that every kernel may rely on.
 constexpr uint32_t kWorkGroupSize = 64;      // invocations, all along x
 constexpr uint32_t kStorageBuffers = 8;      // per kernel
 constexpr uint32_t kPushConstantBytes = 128; // the minimum that Vulkan guarantees
@@ -40,8 +40,8 @@ void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.maxPushConstantsSize = limits.maxPushConstantsSize;
 }
 
-// For DeviceUse::compute a family without graphics is preferred: on GPUs that have one, its work runs beside
-// the desktop's.
+// Prefers, for DeviceUse::compute, a family without graphics: on GPUs that have one, its work runs beside
+// that of the desktop.
 void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
     const auto families = physicalDevice.getQueueFamilyProperties();
     for (uint32_t family = 0; family < families.size(); ++family) {

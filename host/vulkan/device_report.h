@@ -11,10 +11,10 @@
 
 namespace metamarch::vulkan {
 
-// In order of preference.
+// The types are in order of preference.
 enum class DeviceType { discrete, integrated, virtualGpu, cpu, other };
 
-// What a device is opened for. A device for a window also draws and presents.
+// The use that a device is opened for. A device for a window also draws and presents.
 enum class DeviceUse { compute, window };
 
 struct DeviceReport {
