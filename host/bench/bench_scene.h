@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene made ready for every backend, and rays with the hits they must find.
+// A scene that is ready for every backend, and rays with the hits that traversals must find.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/bench/cpu_tracer.h"
@@ -25,7 +25,7 @@ struct BenchScene {
     const StructureSet structures{structure}; // for the CPU; the device has a set of its own
 };
 
-// Rays and what the judge says of them.
+// Rays and the judge's results for them.
 struct JudgedRays {
     std::string name;
     std::string view; // Row::view
@@ -35,7 +35,7 @@ struct JudgedRays {
 
 JudgedRays judgeRays(const BenchScene& scene, std::string name, std::string view, RaySet set);
 
-// A row but for its speed: names, counts, means of what `results` counted, cost of the structure.
+// Returns a row without its speed: names, counts, means over `results`, and the cost of the structure.
 Row describeRow(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                 const std::string& backend, const std::string& device, std::span<const RayResult> results);
 

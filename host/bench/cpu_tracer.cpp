@@ -18,7 +18,7 @@ RayResult resultOf(const Ray& ray, const TraceResult& trace) {
     return rayResult(ray, trace.hit, trace.steps, trace.tests);
 }
 
-// `traceOne(i)` is the result of ray i.
+// `traceOne(i)` returns the result of ray i.
 template <class TraceOne>
 TimedRun runInOneThread(const std::size_t rayCount, const TraceOne& traceOne) {
     TimedRun run{std::vector<RayResult>(rayCount), 0.0};

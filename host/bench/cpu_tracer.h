@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays through the judges, many at a time.
+// Traces many rays at a time on the CPU.
 #pragma once
 #include "metamarch/reference/twins.h"
 #include "metamarch/shared/ray_query.h"
@@ -9,13 +9,13 @@
 
 namespace metamarch::bench {
 
-// What every traversal is compared with.
+// The results that every traversal is compared with.
 struct Judgement {
     std::vector<RayResult> results;           // one per ray
     std::vector<std::uint32_t> recordIndices; // of hits in structure.triangles; kNoRecord for a miss
 };
 
-// The CPU's stack traversal, on all processors.
+// Traces the rays with the CPU's stack traversal, on all processors.
 Judgement judge(const AccelerationStructure& structure, std::span<const RayQuery> rays, HitQuery query);
 
 struct TimedRun {
@@ -23,11 +23,11 @@ struct TimedRun {
     double seconds;                 // wall time
 };
 
-// Ray set-up and traversal, one ray after the other in one thread, as the kernel `rays` does it.
+// Sets up and traces one ray after the other in one thread, with the same work per ray as the kernel `rays`.
 TimedRun traceInOneThread(const StructureSet& structures, std::span<const RayQuery> rays, HitQuery query,
                           TwinFunction& twin);
 
-// The same when the record that each ray hits is known, as the kernel `floor` does it.
+// Does the same for rays whose hit record is known, with the same work per ray as the kernel `floor`.
 TimedRun traceFloorInOneThread(const AccelerationStructure& structure, std::span<const RayQuery> rays,
                                std::span<const std::uint32_t> recordIndices);
 

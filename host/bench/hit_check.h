@@ -16,9 +16,9 @@ struct HitTolerance {
     double budget = 0.0;   // fraction of the rays that may exceed the distance
 };
 
-// On lavapipe all bits must equal the reference's. Vulkan lets other devices divide with an error of 2.5 ulp:
-// hits may be apart by the lattice's kReferenceMargin, and for 2e-5 of the rays, at silhouettes and edges, by
-// more.
+// Returns the tolerance for a driver. Lavapipe's hits must equal the reference's bit by bit. Vulkan lets
+// other devices divide with an error of 2.5 ulp; their hits may be apart by the lattice's kReferenceMargin,
+// and those of 2e-5 of the rays, at silhouettes and edges, by more.
 HitTolerance toleranceOn(const std::string& driver, const Lattice& lattice);
 
 // Returns the number of rays whose results differ. For any-hit queries only hit or miss is compared.

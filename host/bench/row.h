@@ -11,8 +11,8 @@
 
 namespace metamarch::bench {
 
-// The name of the row, in place of a traversal's, for the same rays with hits known in advance: the minimum
-// cost of tracing.
+// The name, in place of a traversal's, of the row for the same rays with hits known in advance: the least
+// that tracing can cost.
 inline constexpr const char* kFloor = "floor";
 
 struct Row {
@@ -37,7 +37,7 @@ struct Row {
     std::uint64_t differingHits = 0;
 };
 
-// Where and with what the rows were measured.
+// The place and the conditions of the measurements.
 struct Origin {
     std::string device;
     std::string driver;

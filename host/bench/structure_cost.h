@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a traversal's structure takes: bytes fetched, bytes kept, time to build.
+// The cost of a traversal's structure: bytes fetched, size in bytes, time to build.
 #pragma once
 #include "metamarch/accel/structure_set.h"
 
@@ -9,10 +9,10 @@
 
 namespace metamarch::bench {
 
-// Bytes that a visit reads; a triangle test reads a record. Caches are left out: it is what the traversal
-// asks for. Rays count inner nodes and leaves together, so all visits of a tree cost the same here: what an
-// inner node costs. The 16 bytes of a kd-tree's leaf are left out thereby, and a BVH's leaf, which has no
-// record, counts 64.
+// `bytesPerVisit` are the bytes that a traversal requests per visit, before caches. A triangle test requests
+// a triangle record more. Rays count inner nodes and leaves together, so every visit of a tree counts like
+// that of an inner node: the 16 bytes of a kd-tree's leaf are left out, and a BVH's leaf, which has no
+// record, counts 64 bytes.
 struct StructureCost {
     std::uint64_t bytesPerVisit;
     std::uint64_t bytes;
@@ -20,11 +20,11 @@ struct StructureCost {
 };
 
 // Returns the cost of the structure that shaders/CMakeLists.txt names for the traversal, or for the floor.
-// Builds the structure if nobody has asked for it yet. Returns nothing for peers, and where the driver walks
-// a hierarchy of its own.
+// Builds the structure if it does not exist yet. Returns nothing for peers, and for a traversal in which the
+// driver walks a hierarchy of its own.
 std::optional<StructureCost> structureCost(const StructureSet& set, std::string_view traversal);
 
-// Bytes that one ray reads, from the means of visits and tests per ray.
+// Returns the bytes that one ray requests, from the mean numbers of visits and tests per ray.
 double fetchedBytes(const StructureCost& cost, double visitsPerRay, double testsPerRay);
 
 } // namespace metamarch::bench

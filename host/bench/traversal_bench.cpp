@@ -14,14 +14,14 @@ namespace {
 
 constexpr const char* kOneThread = "one thread";
 
-// A device's results and seconds, as the processor's.
+// Traces on a device and returns the same type as the runs on the CPU.
 template <class Tracer>
 TimedRun timedRun(Tracer& tracer, const auto&... input) {
     std::vector<RayResult> results = tracer.trace(input...);
     return {std::move(results), tracer.deviceSeconds()};
 }
 
-// The row of what `run` does, which is judged before it is measured.
+// Returns the row for `run`. Compares its hits with the judge's before it measures.
 template <class RunOnce>
 Row measuredRow(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                 const std::string& backend, const std::string& device, const HitTolerance& tolerance,

@@ -7,8 +7,8 @@
 
 namespace metamarch::bench {
 
-// All trace the rays once, compare the hits with the judge's and only then measure. They throw
-// Error(mismatch), saying how many rays differ, where the hits are not the judge's.
+// Each function traces the rays once, compares the hits with the judge's and only then measures. It throws
+// Error(mismatch), naming the number of rays that differ, if they differ by more than the tolerance.
 Row benchOnDevice(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                   const vulkan::Device& device, const render::SceneBuffers& buffers,
                   const Protocol& protocol);
@@ -17,7 +17,7 @@ Row benchOnDevice(const BenchScene& scene, const JudgedRays& rays, const std::st
 Row benchOnCpu(const BenchScene& scene, const JudgedRays& rays, const std::string& traversal,
                const Protocol& protocol);
 
-// The rows kFloor.
+// Return the rows kFloor.
 Row benchFloorOnDevice(const BenchScene& scene, const JudgedRays& rays, const vulkan::Device& device,
                        const render::SceneBuffers& buffers, const Protocol& protocol);
 Row benchFloorOnCpu(const BenchScene& scene, const JudgedRays& rays, const Protocol& protocol);
