@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light that does not come from the scene's file, as a user asks for it.
+// The user's choice of light that does not come from the scene's file.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -9,18 +9,18 @@ namespace metamarch {
 
 struct LightChoice {
     enum class Kind {
-        automatic,  // none where the scene has light of its own, else the sky
+        automatic,  // no light if the scene has its own, otherwise the sky
         map,        // an equirectangular picture
-        background, // the same radiance from everywhere
-        sky,        // clear, with its sun
+        background, // the same radiance from all directions
+        sky,        // a clear sky with its sun
     };
 
     Kind kind = Kind::automatic;
     std::filesystem::path map;
     float rotation = 0.0f;  // radians; turns the map around y, from +z towards +x
-    float intensity = 1.0f; // multiplies the radiance of map and sky, at least 0
+    float intensity = 1.0f; // factor of the radiance of map and sky, at least 0
     glm::vec3 background{0.0f};
-    float sunElevation = 0.785398163f; // SkySettings'
+    float sunElevation = 0.785398163f; // as in SkySettings
     float sunAzimuth = 0.0f;
 
     bool operator==(const LightChoice&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user asks of the path tracer.
+// The user's choices for the path tracer.
 #pragma once
 #include "metamarch/shading/shading_builder.h"
 #include "metamarch/shared/path_settings.h"
@@ -12,9 +12,9 @@ namespace metamarch {
 
 enum class Integrator {
     path,    // global illumination
-    direct,  // light without bounces
+    direct,  // direct light only
     ao,      // ambient occlusion: white surfaces under a white sky
-    primary, // what the camera sees, lit from the eye, at pixel centres
+    primary, // one ray through each pixel's centre, lit by a lamp at the eye
 };
 
 inline constexpr std::pair<std::string_view, Integrator> kIntegrators[] = {{"path", Integrator::path},
@@ -28,13 +28,14 @@ constexpr std::string_view nameOf(const Integrator integrator) {
 
 enum class Brdf {
     compensated, // rough surfaces keep the energy that single scattering loses
-    gltf,        // single scattering, to the letter of glTF 2.0, Appendix B
+    gltf,        // single scattering, exactly as in glTF 2.0, Appendix B
 };
 
 inline constexpr std::pair<std::string_view, Brdf> kBrdfs[] = {{"compensated", Brdf::compensated},
                                                                {"gltf", Brdf::gltf}};
 
-// Float sums of more samples would no longer grow; dimensions of more bounces would pass 2^32.
+// Limits: a float that counts more samples would no longer grow, and the dimensions of more bounces could
+// exceed 2^32.
 inline constexpr std::uint32_t kMostSamples = 1u << 24u;
 inline constexpr std::uint32_t kMostBounces = 1u << 16u;
 
@@ -42,14 +43,14 @@ struct PathChoice {
     Integrator integrator = Integrator::path;
     std::uint32_t maxBounces = 8;
     std::uint32_t seed = 0;
-    float clamp = 0.0f; // of the luminance that one way to a light adds to a sample; 0: no limit
+    float clamp = 0.0f; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
     Brdf brdf = Brdf::compensated;
 
     bool operator==(const PathChoice&) const = default;
 
     bool isOcclusion() const { return integrator == Integrator::ao; }
 
-    // `settings` are the scene's.
+    // Returns `settings`, which the scene has set, with these choices.
     PathSettings applied(PathSettings settings) const {
         settings.maxBounces = integrator == Integrator::path ? maxBounces : 0;
         settings.seed = seed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shading reads of a scene, in the layout that crosses the bus.
+// The data of a scene that the integrator `primary` reads, in the layout of the device's buffers.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shared/scene_layout.h"
@@ -9,15 +9,15 @@
 
 namespace metamarch {
 
-// The scene's materials, and after them a grey one for the triangles that have none.
+// Returns the scene's materials, followed by a grey one for triangles without a material.
 std::vector<Material> materialsWithGrey(const Scene& scene);
 
-// Where the triangle's material is among materialsWithGrey().
+// Returns the index of the triangle's material in materialsWithGrey().
 std::uint32_t materialOf(const Scene& scene, std::size_t triangleId);
 
 struct ShadingData {
-    std::vector<ShadingMaterial> materials;        // of materialsWithGrey()
-    std::vector<std::uint32_t> materialOfTriangle; // [triangleId], materialOf()
+    std::vector<ShadingMaterial> materials;        // in the order of materialsWithGrey()
+    std::vector<std::uint32_t> materialOfTriangle; // [triangleId]; see materialOf()
 };
 
 ShadingData makeShadingData(const Scene& scene);

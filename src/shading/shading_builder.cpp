@@ -12,8 +12,9 @@
 namespace metamarch {
 namespace {
 
-// What leaves `distance` of the volume is `color`: Beer and Lambert's law. Black leaves nothing; 2^-20 of the
-// light stands for it.
+// Returns the absorption per world unit. By Beer and Lambert's law, white light that has gone
+// material.attenuationDistance through the volume has the colour material.attenuationColor. The absorption of
+// black would be infinite, so channels are at least 2^-20.
 glm::vec3 absorptionOf(const Material& material) {
     constexpr float kLeastColor = 0x1p-20f;
     if (material.thicknessFactor == 0.0f || !(material.attenuationDistance < 1e30f)) {
@@ -69,7 +70,8 @@ MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelS
     return record;
 }
 
-// What --integrator ao lights: white and diffuse. Holes that a texture cuts are closed: white paint has none.
+// Returns the white, diffuse material of the integrator `ao`. It has no textures, so holes that a texture
+// cuts are closed; the alpha of the material itself stays.
 Material whitened(const Material& material) {
     Material white;
     white.metallicFactor = 0.0f;
@@ -113,7 +115,7 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
         target.features |= featuresOf(material);
         target.materials.push_back(recordOf(material, options, texels));
         const glm::vec3 emission = target.materials.back().emission;
-        // A coat dims the light below it by the angle, which light sampling does not know.
+        // Light sampling leaves out coated materials: a coat dims their emission depending on the angle.
         const bool isKnown = material.clearcoatFactor == 0.0f && !material.unlit;
         const glm::vec3 mean = emission * glm::vec3(texels.meanOf(material.emissiveTexture));
         meanEmission.push_back(isKnown ? mean : glm::vec3(0.0f));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene and its light to what the path tracer reads.
+// Builds the data that the path tracer reads from a scene and its light.
 #pragma once
 #include "metamarch/scene/scene.h"
 #include "metamarch/shading/surroundings.h"
@@ -9,7 +9,7 @@
 
 namespace metamarch {
 
-// Every device lets a shader see that much of a buffer.
+// The largest range of a buffer that a shader can see on every device.
 inline constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 
 struct ShadingOptions {
@@ -20,8 +20,8 @@ struct ShadingOptions {
     bool operator==(const ShadingOptions&) const = default;
 };
 
-// Throws Error(outOfMemory) where the textures do not fit kTexelChunks chunks of `chunkBytes`, naming their
-// size.
+// Throws Error(outOfMemory), naming their size, if the textures do not fit kTexelChunks chunks of
+// `chunkBytes` bytes.
 ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundings,
                               const ShadingOptions& options, std::uint64_t chunkBytes = kTexelChunkBytes);
 

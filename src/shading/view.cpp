@@ -48,7 +48,7 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
 }
 
 SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {
-    // In double precision, because the points may be far away and vectors tiny or huge.
+    // Double precision is needed because the points may be far away and the vectors tiny or huge.
     const glm::dvec3 along = glm::dvec3(target) - glm::dvec3(eye);
     const glm::dvec3 right = glm::cross(along, glm::dvec3(up));
     if (glm::length(along) == 0.0) {
@@ -73,12 +73,12 @@ SceneCamera frameBounds(const Bounds& bounds, const float verticalFov, const flo
     const glm::vec3 hi = empty ? glm::vec3(0.5f) : bounds.hi;
     const glm::vec3 center = 0.5f * lo + 0.5f * hi;
     const glm::vec3 size = hi - lo;
-    // Find the direction at the world's origin: for a small box far away it would be rounded.
+    // Find the direction at the world's origin; for a small box far away it would be rounded.
     SceneCamera camera = lookAt(from, glm::vec3(0.0f), upwards);
     camera.name = "framed";
     camera.verticalFov = verticalFov;
 
-    // The distance at which every corner of the box lies within the picture.
+    // Find the distance at which every corner of the box is in the picture.
     const glm::vec3 right = glm::cross(camera.forward, camera.up);
     const float slopeUp = halfHeight(verticalFov);
     const float slopeRight = slopeUp * aspect;

@@ -30,31 +30,32 @@ inline constexpr glm::vec3 kFramingDirection{0.45f, 0.35f, 1.0f};
 SceneCamera frameBounds(const Bounds& bounds, float verticalFov, float aspect,
                         glm::vec3 from = kFramingDirection, glm::vec3 up = {0.0f, 1.0f, 0.0f});
 
-// What a picture asks of its camera beyond the scene's camera. The default is a pinhole whose samples are
-// spread uniformly over the pixel.
+// Properties of a picture's camera that a SceneCamera does not have. The default is a pinhole whose samples
+// are spread uniformly over the pixel.
 struct CameraOptions {
     std::uint32_t pixelFilter = kFilterBox;
     float apertureRadius = 0.0f; // radius of the thin lens, world units
-    // From the eye along the view to the plane in focus, in world units; infinite: focus at infinity.
+    // The distance from the eye to the plane in focus, along the view axis, in world units; may be infinite.
     float focusDistance = std::numeric_limits<float>::infinity();
     // Shows all directions around the eye, with `forward` in the centre of the picture.
     bool isPanorama = false;
 };
 
-// From where and through which lens a user wants to see a scene.
+// The user's choice of viewpoint and lens.
 struct ViewChoice {
-    std::string camera; // a camera of the scene, by name or index; empty: `eye`, or else the first
-    // World space. `eye` and `target` are there together; without `up`, +y is up.
+    std::string camera; // name or index of a camera of the scene; empty: use `eye`, or the first camera
+    // Points and direction in world space. `eye` and `target` must be given together; without `up`, +y is up.
     std::optional<glm::vec3> eye;
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
-    std::optional<double> verticalFov;       // degrees; takes the place of the camera's own
-    std::optional<float> orthographicHeight; // world units; parallel rays from `eye`
+    std::optional<double> verticalFov;       // degrees; replaces that of the camera
+    std::optional<float> orthographicHeight; // world units; makes the rays from `eye` parallel
     CameraOptions lens;
 };
 
-// The camera that `choice` asks for, else the scene's first, else one that sees the whole scene in a picture
-// of `aspect` (width / height). Throws Error(invalidArgument) for a camera that does not exist and as lookAt.
+// Returns the camera of `choice`; without one, the first camera of the scene; without that, one that sees the
+// whole scene in a picture with `aspect` = width / height. Throws Error(invalidArgument) for a camera that
+// does not exist, and what lookAt throws.
 SceneCamera chooseCamera(const Scene& scene, const ViewChoice& choice, float aspect);
 
 // `width` and `height` are in pixels. Throws Error(invalidArgument) if a radius or distance is out of range,

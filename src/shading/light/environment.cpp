@@ -49,15 +49,15 @@ float decoded(float value) {
                             reason));
 }
 
-// Whether a colour is visible light that Rec. 709's primaries cannot mix. The most negative channel belongs
-// to monochromatic cyan, where it is about as far below 0 as the largest channel is above.
+// Returns true if a colour is visible light that Rec. 709's primaries cannot mix. The most negative channel
+// belongs to monochromatic cyan, where it is about as far below 0 as the largest channel is above.
 bool isOutsideGamut(const glm::vec3& texel) {
     return luminance(texel) > 0.0f && -smallest(texel) <= largest(texel);
 }
 
-// Whether scaling the image can have made a texel this negative beside brighter light. Lanczos's filter with
-// three lobes has the deepest undershoot in use: a point of light leaves 0.61 in the two texels beside it and
-// -0.135 in the next.
+// Returns true if scaling of the image can have made a texel this negative beside brighter light. Lanczos's
+// filter with three lobes has the deepest undershoot in use: a point of light between two texels leaves 0.61
+// in each of them and -0.135 in the next ones.
 bool isUndershoot(const Environment& environment, std::size_t index) {
     constexpr int kReach = 3;
     constexpr float kDepth = 0.25f;

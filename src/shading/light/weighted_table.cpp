@@ -15,7 +15,7 @@ namespace {
 constexpr float kOwnPart = 0.75f;
 constexpr float kNeighbourPart = 0.125f;
 
-// Luminance relative to the brightest texel; otherwise sums of extreme values could overflow.
+// Gives luminances relative to the brightest texel, because sums of extreme values could overflow.
 class Brightness {
   public:
     explicit Brightness(const Environment& environment) : environment_(environment) {
@@ -67,7 +67,7 @@ std::vector<TableEntry> makeWeightedTable(const std::span<const float> weights) 
         }
         table[i - 1].from = 1.0f;
     }
-    // By the rounding of guideSlot, a u of the slot may lie just before the slot.
+    // guideSlot rounds, so a u that it maps to a slot may lie just before the slot.
     constexpr double kRounding = 0x1p-22;
     std::uint32_t guide = 0;
     for (std::size_t slot = 0; slot < count; ++slot) {

@@ -19,8 +19,8 @@ struct Cover {
     std::array<float, 4> weights; // sum to 1
 };
 
-// A row of `from` texels is as long as a row of `to` texels. If lengths are counted in 1 / from of a texel of
-// `to`, which equals 1 / to of a texel of `from`, all ends are integers.
+// A row of `from` texels is as long as a row of `to` texels. Lengths are counted in units of 1 / (from * to)
+// of the row, in which the ends of all texels are integers.
 Cover coverOf(const std::uint64_t i, const std::uint64_t from, const std::uint64_t to) {
     const std::uint64_t begin = i * from;
     const std::uint64_t end = begin + from;

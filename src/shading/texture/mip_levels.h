@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mip levels of a texture: each is half as large as the one before, down to one texel.
+// Makes the mip levels of a texture: each is half as large as the one before, down to one texel.
 #pragma once
 #include "metamarch/scene/texture.h"
 
@@ -20,7 +20,7 @@ struct MipLevel {
     std::vector<glm::vec4> texels; // linear light, not premultiplied by alpha
 };
 
-// Returns the number of levels of an image of that size, the image itself included.
+// Returns the number of levels of an image with this size; the image itself is one of them.
 std::uint32_t mipLevelCount(std::uint32_t width, std::uint32_t height);
 
 // Returns levels 1 and up; none for a single texel. A texel is the mean of the area of the previous level

@@ -11,7 +11,7 @@
 namespace metamarch {
 namespace {
 
-// The linear values of the 256 bytes, ascending.
+// Returns the linear values of the 256 sRGB bytes in ascending order.
 const std::array<float, 256>& decodedBytes() {
     static const std::array<float, 256> kDecoded = [] {
         std::array<float, 256> decoded{};

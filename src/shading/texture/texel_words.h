@@ -12,7 +12,7 @@
 
 namespace metamarch {
 
-// Whether a texel takes two words of half floats; otherwise it takes one word of bytes.
+// Returns true if a texel takes two words of half floats; otherwise it takes one word of bytes.
 inline bool isDeep(const TextureImage& image) { return image.bytes.empty(); }
 
 // Returns texel `i` of the image as texelAt() of shared/texture.h decodes it.
