@@ -15,7 +15,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 bool isMiss(const FilmPixel& pixel) { return pixel.seen.triangleId == kNoTriangle; }
 
-// The number of samples that are in the sums, and of all that were taken; at least 1 each.
+// counted() is the number of samples in the sums, taken() that of all samples; both are at least 1.
 float counted(const FilmPixel& pixel) {
     return static_cast<float>(std::max(pixel.samples - pixel.rejected, 1u));
 }
@@ -29,7 +29,7 @@ glm::vec3 varianceOfMean(const FilmPixel& pixel) {
     return spread / std::max(count - 1.0f, 1.0f);
 }
 
-// Means over the pixel's samples, where they say nothing else.
+// A channel is the mean over the pixel's samples unless its meaning says otherwise.
 constexpr Aov kAovs[] = {
     {"R G B", "radiance, linear", [](const FilmPixel& pixel) { return meanRadiance(pixel); }},
     {"A", "part of the pixel that something covers, 0 to 1",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture can say of a pixel: the list of all channels (AOVs, arbitrary output variables).
+// The table of all channels of a picture (AOVs, arbitrary output variables).
 #pragma once
 #include "metamarch/shared/film.h"
 
@@ -13,25 +13,25 @@
 namespace metamarch {
 
 enum class AovWriter { everyIntegrator, pathTracer }; // pathTracer: path, direct and ao
-enum class AovKind { picture, work }; // work: what a traversal did, which no comparison judges
+enum class AovKind { picture, work }; // work: counts of a traversal, which comparisons do not judge
 
 struct Aov {
-    std::string_view names;   // as EXR wants them, with a space between: "albedo.R albedo.G albedo.B"
+    std::string_view names;   // EXR names, separated by spaces: "albedo.R albedo.G albedo.B"
     std::string_view meaning; // with its unit
-    glm::vec3 (*value)(const FilmPixel& pixel); // as many numbers of it as there are names
+    glm::vec3 (*value)(const FilmPixel& pixel); // one component for each name; further ones are ignored
     AovWriter writer = AovWriter::everyIntegrator;
     AovKind kind = AovKind::picture;
 
-    std::vector<std::string> channels() const; // the names, one by one
+    std::vector<std::string> channels() const; // the single names
 };
 
-// The table, in the order of a picture's channels.
+// Returns the table in the order of a picture's channels.
 std::span<const Aov> aovs();
 
-// Those that `render --integrator` writes: of "primary", or of the path tracer's.
+// Returns the channels that an integrator writes: "primary" has fewer than those of the path tracer.
 std::vector<Aov> aovsOf(std::string_view integrator);
 
-// The list for people, a line each.
+// Returns the table as text, one line per row.
 std::string aovText();
 
 } // namespace metamarch

@@ -18,7 +18,7 @@ struct ChannelPair {
     std::size_t inB;
 };
 
-// a - b where that is a number; see ChannelComparison for the rest. One NaN gives NaN.
+// Returns a - b, but 0 for equal infinities and for two NaNs; one NaN gives NaN.
 double signedDifference(float a, float b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;
@@ -38,10 +38,10 @@ double relativeSquare(double absolute, float reference) {
     return absolute * absolute / (squared + kRelativeMseFloor);
 }
 
-// Sums of one channel on the way to its ChannelComparison.
+// Accumulates the sums for the ChannelComparison of one channel.
 class ChannelSums {
   public:
-    // Returns the absolute difference.
+    // Adds a pixel and returns its absolute difference.
     double add(float a, float b, std::size_t pixel) {
         const double difference = signedDifference(a, b);
         const double absolute = absoluteDifference(difference);

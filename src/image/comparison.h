@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart two pictures are, in numbers.
+// Compares two pictures.
 #pragma once
 #include "metamarch/image/image.h"
 
@@ -11,12 +11,13 @@
 namespace metamarch {
 
 struct ComparisonBounds {
-    double maxAbs = 0.0;         // a pixel fails when one of its judged channels differs by more
-    double maxFailPercent = 0.0; // the pictures differ when more of the pixels fail
+    double maxAbs = 0.0;         // a pixel fails if one of its judged channels differs by more
+    double maxFailPercent = 0.0; // the pictures differ if more of their pixels fail
 };
 
-// Over all pixels, with b as the reference. Equal values, equal infinities and two NaNs differ by 0; one
-// infinity, two opposite ones or one NaN differ by infinity, so they can neither cancel nor vanish.
+// Compares one channel over all pixels; b is the reference. Equal values, equal infinities and two NaNs
+// differ by 0. One infinity, two opposite infinities or one NaN differ by infinity, so that they neither
+// cancel nor vanish.
 struct ChannelComparison {
     std::string name;
     bool judged = true;
@@ -48,13 +49,13 @@ struct Comparison {
 // Minimization", 2011. The floor keeps nearly black pixels from deciding alone.
 inline constexpr double kRelativeMseFloor = 0.01;
 
-// Channels that count work (AovKind::work) are no part of the picture: reported, never judged, and one
-// picture may lack them.
+// Returns false for channels that count work (AovKind::work). Comparisons report but never judge these, and
+// one of the pictures may lack them.
 bool isJudged(std::string_view channel);
 
 Comparison compareImages(const Image& a, const Image& b, const ComparisonBounds& bounds = {});
 
-// |a - b| of every channel in both; the sizes must be equal.
+// Returns |a - b| for every channel that both have. The sizes must be equal.
 Image differenceImage(const Image& a, const Image& b);
 
 } // namespace metamarch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The film of an integrator as a picture.
+// Converts an integrator's film to a picture.
 #pragma once
 #include "metamarch/image/aov.h"
 #include "metamarch/image/image.h"
@@ -8,7 +8,7 @@
 
 namespace metamarch {
 
-// `film` has width * height pixels in rows from the top; the picture has the channels of `written`.
+// `film` has width * height pixels in rows from the top. The picture gets the channels of `written`.
 Image filmImage(std::span<const FilmPixel> film, int width, int height, std::span<const Aov> written);
 
 } // namespace metamarch

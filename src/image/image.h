@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture in memory: any number of named 32-bit float channels.
+// A picture in memory, with any number of named 32-bit float channels.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -18,7 +18,7 @@ struct Image {
     std::size_t pixelCount() const;
     std::optional<std::size_t> findChannel(std::string_view name) const;
 
-    // x counts from the left, y from the top.
+    // `x` counts from the left, `y` from the top.
     float& at(int x, int y, std::size_t channel);
     float at(int x, int y, std::size_t channel) const;
 

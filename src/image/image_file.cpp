@@ -18,8 +18,8 @@ namespace {
 
 enum class Format { exr, png };
 
-// Lets OpenImageIO write into an OutputFile: its own file classes lose a full disk that shows at the last
-// flush.
+// Lets OpenImageIO write into an OutputFile. OpenImageIO's own file classes do not report a full disk that
+// only the last flush notices.
 class OutputFileProxy final : public OIIO::Filesystem::IOProxy {
   public:
     explicit OutputFileProxy(OutputFile& output) : IOProxy("", Write), file_(output) {}
@@ -86,8 +86,8 @@ void writeExr(const Image& image, const std::filesystem::path& path) {
     writePixels(spec, "exr", OIIO::TypeFloat, image.pixels.data(), path);
 }
 
-// PNG stores colours that are not multiplied by alpha. Where alpha is 0 there is nothing to divide by: the
-// colour stays.
+// PNG stores colours that are not multiplied by alpha. If alpha is 0, no division is possible and the colour
+// stays.
 float unassociated(float color, float alpha) { return alpha > 0.0f && alpha < 1.0f ? color / alpha : color; }
 
 void writePng(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {

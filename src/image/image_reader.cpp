@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// readImage of image_file.h. Files are untrusted: memory grows with what was really read, not with what a
-// header says.
+// Implements readImage. Files are untrusted, so memory grows with the data that was really read, not with
+// what a header says.
 #include "metamarch/error/error.h"
 #include "metamarch/image/image_file.h"
 

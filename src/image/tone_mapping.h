@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From linear light to the 8 bits a screen shows, as a user asks for it.
+// The user's choice of the mapping from linear light to the 8 bits of a screen.
 #pragma once
 #include "metamarch/shared/tone_mapping.h"
 
@@ -20,15 +20,15 @@ inline constexpr ToneOperatorName kToneOperators[] = {
 
 struct ToneMapping {
     std::uint32_t toneOperator = kToneNone;
-    float exposure = 0.0f; // stops: light is doubled by each
+    float exposure = 0.0f; // in stops; each doubles the light
 
     bool operator==(const ToneMapping&) const = default;
 };
 
-// What radiance is multiplied by.
+// Returns the factor that the exposure multiplies radiance by.
 float exposureScale(const ToneMapping& mapping);
 
-// shared/tone_mapping.h's, with the exposure of `mapping`.
+// Applies toneMapped of shared/tone_mapping.h with the exposure and the operator of `mapping`.
 glm::vec3 toneMapped(const ToneMapping& mapping, glm::vec3 radiance);
 
 } // namespace metamarch
