@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One invocation a pixel: the ray through its centre, and what the meta table holds where it hits. Only the
-// table knows that, so this kernel has its march whatever traversal draws the other views.
+// Traces the ray through a pixel's centre, one invocation per pixel, and shows the content of the meta table
+// at the hit. It needs the table anyway, so it always uses the march, whatever traversal draws the other
+// views.
 #include "lib/picture.glsl"
 #include "shared/cells.h"
 #include "traversal/meta_table.glsl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a ray costs when its hit is known in advance: ray and record in, one triangle test, hit out. No
-// traversal can do less, so benchmarks give each one's time as a multiple of this.
+// Measures the cost of a ray whose hit is known in advance: it loads the ray and the record, tests one
+// triangle and stores the hit. No traversal can do less, so benchmarks give each traversal's time as a
+// multiple of this.
 #include "lib/rays.glsl"
 
 layout(local_size_x = 64) in;

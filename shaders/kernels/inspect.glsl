@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One invocation a pixel: the ray through its centre, the closest hit, and the colour of one view of them.
+// Traces the ray through a pixel's centre, one invocation per pixel, and shows its closest hit in one view.
 #include "lib/picture.glsl"
 #include "lib/shading.glsl"
 #include "shared/inspect.h"

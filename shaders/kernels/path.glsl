@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The path tracer, one invocation a pixel. Each turn of the loop takes a path to its next surface and on; a
-// path that has ended makes place for the pixel's next sample at once, so that no invocation waits for its
-// neighbours' longer paths, and no state of a path ever leaves the registers.
-// A processor has no such neighbours: src/reference/path.cpp has a plain loop over the surfaces of one
-// sample. What both do in a turn is in shared/path.h.
+// The path tracer, one invocation per pixel. Each turn of the loop takes a path to its next surface. When a
+// path ends, the pixel's next sample begins in the same turn, so that no invocation waits for its neighbours'
+// longer paths, and the state of a path never leaves the registers. On a processor there are no such
+// neighbours: src/reference/path.cpp has a plain loop over the surfaces of one sample. shared/path.h has the
+// code of a turn that both share.
 #include "lib/shading.glsl"
 #include "lib/tiles.glsl"
 #include "shared/film.h"
@@ -18,8 +18,8 @@ layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
 layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus status; };
 layout(push_constant) uniform PushBlock { PathPush push; };
 
-// The closest triangle that is there for this path, or any. The CPU's loop leaves in its middle; this one
-// does all under a condition and ends at its end, as llvmpipe wants it.
+// Finds the closest triangle that is opaque for this path, or any such triangle. The CPU's loop ends in its
+// middle. This one ends only at its end and does all work under a condition, because of llvmpipe.
 Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
     Trace trace = startTrace(given);
     if (!hasFeature(kFeatureAlpha)) {
@@ -29,7 +29,7 @@ Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at,
     Ray ray = given;
     bool isFound = false;
     do {
-        // Under a condition: llvmpipe takes lanes that have left the loop through it again.
+        // The condition is needed because llvmpipe executes the loop again for lanes that have left it.
         if (!isFound) {
             Trace next = startTrace(ray);
             traverse(ray, false, next);
@@ -57,11 +57,12 @@ void main() {
     if (push.isFresh == 0u) {
         sum = film[index];
     }
-    // A sample that the driver ends is taken anew, and counts once.
+    // A sample that the driver ends early is taken again, and counts once.
     PathSample taken = startSample(camera, settings, pixel.x, pixel.y, sum.samples);
     bool isOn = sum.samples < push.endSample;
 
-    // Holds here: `sum` has every sample before sum.samples, which is on its way in `taken`.
+    // Invariant: `sum` contains all samples before number sum.samples; `taken` is the sample with this
+    // number.
     do {
         if (isOn) {
             const Path path = taken.path;

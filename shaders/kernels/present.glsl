@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fine picture over a coarse one at the screen's size, one invocation a pixel of the screen.
+// Composites a fine picture over a coarse one at the screen's size, one invocation per pixel of the screen.
 #include "shared/scene_layout.h"
 #include "shared/screen.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One invocation a pixel: camera ray, closest hit, head-light shading.
+// The integrator `primary`, one invocation per pixel: camera ray, closest hit, shading by a lamp at the eye.
 #include "lib/tiles.glsl"
 
 layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ray buffer in, hit buffer out: what tests and benchmarks run.
+// Traces a buffer of rays and writes a buffer of hits, for tests and benchmarks.
 #include "lib/rays.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light of some tiles of a film as 8 bits a channel, one invocation a pixel.
+// Converts the radiance of some tiles of a film to 8 bits per channel, one invocation per pixel.
 #include "lib/tiles.glsl"
 #include "shared/film.h"
 #include "shared/packed_pixel.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bounding volume hierarchy.
+// Loads the bounding volume hierarchy.
 #ifndef METAMARCH_LIB_BVH_GLSL
 #define METAMARCH_LIB_BVH_GLSL
 #include "lib/scene.glsl"

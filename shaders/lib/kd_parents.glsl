@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree with the way back up: each node's box and parent.
+// Loads the kd-tree and, for the way back up, each node's box and parent.
 #ifndef METAMARCH_LIB_KD_PARENTS_GLSL
 #define METAMARCH_LIB_KD_PARENTS_GLSL
 #include "lib/kd_tree.glsl"

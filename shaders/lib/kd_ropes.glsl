@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree with ropes: what lies behind each face of each leaf.
+// Loads the kd-tree and its ropes, which lead to the node behind each face of each leaf.
 #ifndef METAMARCH_LIB_KD_ROPES_GLSL
 #define METAMARCH_LIB_KD_ROPES_GLSL
 #include "lib/kd_tree.glsl"

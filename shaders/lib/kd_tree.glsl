@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kd-tree: inner nodes and leaves.
+// Loads the inner nodes and the leaves of the kd-tree.
 #ifndef METAMARCH_LIB_KD_TREE_GLSL
 #define METAMARCH_LIB_KD_TREE_GLSL
 #include "lib/leaves.glsl"
@@ -12,8 +12,8 @@ KdNode loadKdNode(const uint nodeId) {
     return KdNode(words.x, words.y);
 }
 
-// The leaf of `node`; where a loop was ended on the way down and `node` is none, the trace will not count as
-// finished.
+// Returns the leaf of `node`. If the driver ended the loop on the way down, `node` is not a leaf, and the
+// trace will not count as finished.
 Leaf enterLeaf(const KdNode node, inout Trace trace) {
     trace.expectedTests += isLeaf(node) ? 0u : 1u;
     return loadLeaf(leafOf(node));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How the kernels read the scene: through storage buffers, or, where METAMARCH_TEXEL_BUFFERS is 1, through
-// texel buffers, which llvmpipe (Mesa 22.3.6) reads 1.4 times as fast. Each line declares an array of 1, 2 or
-// 4 words an entry; `load…` reads one entry. Nothing else in shaders/ knows which memory it is.
+// Macros through which the kernels read the scene. They use storage buffers or, if METAMARCH_TEXEL_BUFFERS is
+// 1, texel buffers, which llvmpipe (Mesa 22.3.6) reads 1.4 times as fast. WORDS1, WORDS2 and WORDS4 declare
+// an array whose entries have 1, 2 or 4 words; LOAD1, LOAD2 and LOAD4 read one entry. Only lib/triangles.glsl
+// knows the kind of memory, too.
 #ifndef METAMARCH_LIB_MEMORY_GLSL
 #define METAMARCH_LIB_MEMORY_GLSL
 

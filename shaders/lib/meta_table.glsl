@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meta table and its leaves.
+// Loads the meta table and its leaves.
 #ifndef METAMARCH_LIB_META_TABLE_GLSL
 #define METAMARCH_LIB_META_TABLE_GLSL
 #include "lib/leaves.glsl"
@@ -7,7 +7,7 @@
 
 WORDS1(metaTableWords, kBindTable);
 
-// The leaf that holds the cell.
+// Returns the id of the leaf that contains the cell.
 uint leafAt(const ivec3 cell, const uvec3 resolution) {
     uint entry = LOAD1(metaTableWords, brickEntry(cell, resolution));
     if (isMixed(entry)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kernels have that draw one packed pixel an invocation: camera and picture.
+// Camera and picture of the kernels that draw one packed pixel per invocation.
 #ifndef METAMARCH_LIB_PICTURE_GLSL
 #define METAMARCH_LIB_PICTURE_GLSL
 #include "lib/scene.glsl"
@@ -18,6 +18,6 @@ Inspected inspected(const CameraRay view, const Ray ray, const Trace trace) {
     return Inspected(view, ray, trace.hit, trace.finished ? trace.steps : kCutShort, trace.tests);
 }
 
-// Of no scene: what stands for the triangle of a miss.
+// Returns a placeholder for the triangle of a miss.
 TriangleRecord noTriangle() { return TriangleRecord(vec3(0.0), 0u, vec3(0.0), 0u, vec3(0.0), 0u); }
 #endif

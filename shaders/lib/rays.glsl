@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays given one by one, and where their hits go.
+// The buffers of rays and of their hits.
 #ifndef METAMARCH_LIB_RAYS_GLSL
 #define METAMARCH_LIB_RAYS_GLSL
 #include "lib/scene.glsl"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rectilinear table: planes, look-ups along the axes, and the table over the cells between the planes.
+// Loads the rectilinear table: planes, buckets along the axes, and the meta table over the cells between
+// planes.
 #ifndef METAMARCH_LIB_RECTILINEAR_TABLE_GLSL
 #define METAMARCH_LIB_RECTILINEAR_TABLE_GLSL
 #include "lib/meta_table.glsl"
@@ -16,7 +17,7 @@ vec3 loadPlanes(const ivec3 planes) {
     return vec3(loadPlane(indices.x), loadPlane(indices.y), loadPlane(indices.z));
 }
 
-// The last plane not behind `position`, so the cell that holds it.
+// Returns the index of the last plane that is not behind `position`, which is the cell that contains it.
 int searchPlane(const float position, const uint firstPlane, const uint bucket) {
     uint cell = LOAD1(cellOfBucket, bucket);
     while (loadPlane(firstPlane + cell + 1u) <= position) {
@@ -25,7 +26,7 @@ int searchPlane(const float position, const uint firstPlane, const uint bucket) 
     return int(cell);
 }
 
-// May lie outside the lattice, by a rounding.
+// Returns the cell at `position`. It may be outside the lattice because of rounding.
 ivec3 searchCell(const vec3 position) {
     const vec3 scale = rectilinear.bucketsPerUnit;
     const uvec3 last = rectilinear.lastBucket;

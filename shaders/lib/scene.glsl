@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What every traversal reads of the scene: lattice, materials and triangle records. The structures that only
-// some of them walk are in the other files of this folder; nothing outside it knows how memory is reached.
+// The part of the scene that every traversal reads: lattice, materials and triangle records. The other files
+// of this folder have the structures that only some traversals walk. Only this folder accesses the scene's
+// memory.
 #ifndef METAMARCH_LIB_SCENE_GLSL
 #define METAMARCH_LIB_SCENE_GLSL
 #include "lib/triangles.glsl"
@@ -12,23 +13,24 @@ layout(std430, binding = kBindMaterialOfTriangle) readonly buffer MaterialOfTria
 };
 layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { ShadingMaterial materials[]; };
 
-// What a traversal found and what it took.
+// The result of a traversal, and its counts.
 struct Trace {
     Hit hit;
-    uint recordIndex;   // the hit triangle's record
-    uint steps;         // look-ups of the march, cells, or inner nodes and leaves visited
-    uint tests;         // triangle tests
-    uint expectedTests; // tests that the leaves visited ask for
+    uint recordIndex;   // index of the hit triangle's record
+    uint steps;         // number of steps (cells looked up), or of inner nodes and leaves visited
+    uint tests;         // number of triangle tests
+    uint expectedTests; // number of tests that the visited leaves need
     bool finished;
 };
 
 Trace startTrace(const Ray ray) { return Trace(Hit(ray.tMax, kNoTriangle), 0u, 0u, 0u, 0u, false); }
 
-// Every traversal ends with this. One that does not come here, or comes with tests left out, was ended by the
-// driver: Mesa's llvmpipe (22.3.6) leaves all loops after 65,535 turns together, without a word.
+// Every traversal calls this at its end. If it does not, or if tests are missing, the driver has ended it
+// early: Mesa's llvmpipe (22.3.6) leaves all loops of an invocation after 65,535 turns in total, without an
+// error.
 void finish(inout Trace trace) { trace.finished = trace.tests == trace.expectedTests; }
 
-// Keeps the triangle of record `recordIndex` where the ray meets it closer than what `trace` has.
+// Stores the hit of the triangle record in `trace` if it is closer than the hit there.
 void keepCloser(const Ray ray, const uint recordIndex, inout Trace trace) {
     const TriangleRecord triangle = loadTriangle(recordIndex);
     const float t = intersectTriangle(ray, triangle.v0, triangle.v1, triangle.v2);
@@ -50,8 +52,7 @@ void testTriangles(const Ray ray, const uint first, const uint count, inout Trac
     uint recordIndex = first;
     const uint end = first + count;
     if (recordIndex < end) {
-        // llvmpipe leaves a loop at its end only: with the question at the top it would make one turn too
-        // many.
+        // llvmpipe leaves a loop only at its end; with the condition at the top it would make an extra turn.
         do {
             keepCloser(ray, recordIndex, trace);
             ++recordIndex;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shading reads of the scene. shared/shading_scene.h has the same functions for the CPU.
+// Loads the data of the scene that the path tracer reads. shared/shading_scene.h has the same functions for
+// the CPU.
 #ifndef METAMARCH_LIB_SHADING_GLSL
 #define METAMARCH_LIB_SHADING_GLSL
 #include "lib/memory.glsl"
@@ -42,7 +43,7 @@ Vertex loadVertex(const uint i) {
 vec4 loadColor(const uint i) { return uintBitsToFloat(LOAD4(colorWords, i)); }
 vec4 loadTangent(const uint i) { return uintBitsToFloat(LOAD4(tangentWords, i)); }
 
-// One load for each row of material_rows.inc that the scene uses.
+// Loads the rows of material_rows.inc that the scene uses.
 MaterialRecord loadMaterial(const uint i) {
     MaterialRecord record;
 #define PARAMETER(type, name, value) record.name = type(0);

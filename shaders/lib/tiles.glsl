@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which pixel an invocation works on.
+// Assigns pixels to invocations.
 #ifndef METAMARCH_LIB_TILES_GLSL
 #define METAMARCH_LIB_TILES_GLSL
 #include "shared/primary.h"
 
 layout(local_size_x = kTilePixels) in;
 
-// A workgroup has a tile, an invocation one of its pixels, which may lie beyond the picture's edges. Tiles
-// are numbered in rows.
+// Returns the pixel of this invocation. A workgroup has one tile, an invocation one of its pixels. The pixel
+// may be outside the picture. Tiles are numbered row by row.
 uvec2 pixelOfTile(const uint tile, const uint tilesPerRow) {
     const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
     return uvec2(tile % tilesPerRow, tile / tilesPerRow) * kTileSide + inTile;

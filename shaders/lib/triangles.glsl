@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangle records, the largest array of a scene.
+// Loads the triangle records, the largest array of a scene.
 #ifndef METAMARCH_LIB_TRIANGLES_GLSL
 #define METAMARCH_LIB_TRIANGLES_GLSL
 #include "lib/memory.glsl"
@@ -16,9 +16,9 @@ TriangleRecord loadTriangle(const uint recordIndex) {
                           c.w);
 }
 #else
-// Storage buffers are shorter than texel buffers on some devices: the records are cut into chunks. The chunk
-// is chosen by a branch: indexing an array of buffers by a value that differs between invocations needs a
-// feature that lavapipe 22.3 lacks.
+// On some devices storage buffers are shorter than texel buffers, so the records are cut into chunks. A
+// branch chooses the chunk, because an array of buffers with an index that differs between invocations needs
+// a feature that lavapipe 22.3 lacks.
 layout(constant_id = kSpecTriangleChunks) const uint triangleChunks = 1u;
 layout(constant_id = kSpecTrianglesPerChunk) const uint trianglesPerChunk = 0xffffffffu;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The uniform grid.
+// Loads the uniform grid.
 #ifndef METAMARCH_LIB_UNIFORM_GRID_GLSL
 #define METAMARCH_LIB_UNIFORM_GRID_GLSL
 #include "lib/scene.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The compiled shaders, embedded in the program: shaders/CMakeLists.txt lists kernels and traversals.
+// The compiled shaders that are embedded in the program. shaders/CMakeLists.txt lists kernels and traversals.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,27 +7,27 @@
 
 namespace metamarch {
 
-// What the scene's arrays are to a shader: lib/memory.glsl.
+// The kind of buffer through which a shader reads the scene's arrays: lib/memory.glsl.
 enum class Memory { storage, texel };
 
 struct Shader {
     std::string_view kernel;
     std::string_view traversal; // empty: the kernel needs none
-    std::string_view
-        structure; // that the traversal walks, or whose triangle records the kernel reads, if any
+    // The structure that the traversal walks, or whose triangle records the kernel reads; empty: none.
+    std::string_view structure;
     Memory memory;
     std::span<const std::uint32_t> spirv;
 };
 
-// Every kernel with every traversal, then the kernels that need none; each for both kinds of memory, those
-// that read no scene for storage alone.
+// Returns every kernel with every traversal, then the kernels that need none. Each is there for both kinds of
+// memory, but kernels that read no scene for storage only.
 std::span<const Shader> shaders();
 
-// The names that --traversal takes, the default first.
+// Returns the names of the traversals; the first one is the default.
 std::span<const std::string_view> traversals();
 
-// The structure that a traversal walks, or that a kernel reads which takes no traversal; empty where there is
-// none.
+// Returns the structure that a traversal walks, or that a kernel without a traversal reads. Returns an empty
+// text if there is none.
 std::string_view structureOf(std::string_view name);
 
 } // namespace metamarch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directional albedos: the part of the light from one direction that a lobe scatters in all. Cosines are
-// positive.
+// Directional albedos: the fraction of the light from one direction that a lobe scatters, over all
+// directions. Cosines are positive.
 //
 // tools/fit_albedo fits these polynomials to numerical integrals. The numbers below are those of an older
 // fit, whose script was not kept; they stay because pictures depend on their bits. A new fit gives other
@@ -96,10 +96,10 @@ SHARED_FN FacetAlbedo meanFacetAlbedo(const float alpha) {
     return FacetAlbedo(whole, grazing);
 }
 
-// What a single-scatter interface between air and glass reflects and transmits, seen from air (`isInside`
-// false) or from within. The fit is for cosines from 0.02 on and an ior from 1.05 to 2.5; beyond, the ends
-// of these ranges stand in. From air the relative error is at most 2 %, and 6 % for an ior below 1.1. From
-// within it is at most 6 %, and 13 % for an ior below 1.1.
+// Returns the fraction of the light that a single-scatter interface between air and glass reflects or
+// transmits, for light that arrives in air, or in the glass if `isInside`. The fit is for cosines of at least
+// 0.02 and an ior from 1.05 to 2.5; other values are clamped to these ranges. From air the relative error is
+// at most 2 %, and 6 % for an ior below 1.1. From inside it is at most 6 %, and 13 % for an ior below 1.1.
 SHARED_FN float glassAlbedo(const float cosine, const float alpha, const float ior, const bool isInside) {
     const float x = facetSlope(max(cosine, 0.02f), alpha);
     const float f = min(max(1.0f / ior, 0.4f), 0.95f);
@@ -147,9 +147,9 @@ SHARED_FN float glassAlbedo(const float cosine, const float alpha, const float i
     return min(max(isInside ? fromWithin : fromAir, 0.1f), 1.0f);
 }
 
-// Of the sheen lobe of sheen.h with a white colour, rounded up by its error of 0.9 %, so that no energy is
-// made where a layer below is given the rest. Below a cosine of 0.01 the albedo at 0.01 stands in,
-// which is at most 0.014 too low.
+// Returns the albedo of the sheen lobe of sheen.h with a white colour. The fit is raised by its error of 0.9
+// %: the layer below receives one minus this albedo, and together they must not create energy. Smaller
+// cosines are clamped to 0.01, which makes the albedo at most 0.014 too low.
 SHARED_FN float sheenAlbedo(const float cosine, const float roughness) {
     const float x = sqrt(max(cosine, 0.01f));
     const float c0 =

@@ -135,7 +135,7 @@ SHARED_FN BsdfValue evalBsdf(const Bsdf bsdf, const vec3 wi) {
     return evaluateDirection(bsdf, wi, kLobeRough);
 }
 
-// uLobe chooses the lobe, uDirection the direction in it; all are in [0, 1).
+// `uLobe` chooses the lobe, `uDirection` the direction in it. All are in [0, 1).
 SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, const vec2 uDirection) {
     const float toDiffuse = bsdf.pBase + bsdf.pDiffuse;
     const float toThrough = toDiffuse + bsdf.pDiffuseThrough;

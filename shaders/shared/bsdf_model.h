@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The glTF 2.0 material as a BSDF, prepared for one hit: all that depends on the direction to the eye, `wo`,
-// and not on the light's. bsdf.h evaluates and samples it.
+// The glTF 2.0 material as a BSDF, prepared for one hit: everything that depends on the direction to the eye,
+// `wo`, but not on the direction to the light. bsdf.h evaluates and samples it.
 //
-// The base is metal, dielectric over diffuse, and glass (thin: the mirrored lobe of
-// KHR_materials_transmission; with a volume: B. Walter et al., "Microfacet Models for Refraction through
-// Rough Surfaces", 2007), mixed as glTF says. Sheen lies over it, the coat over that; each layer below is
-// given what the one above does not reflect towards wo, as the Khronos texts layer: exact in energy, not
-// reciprocal.
+// The base is a mix, in the proportions of glTF, of metal, dielectric over diffuse, and glass. Thin glass has
+// the mirrored lobe of KHR_materials_transmission; for glass with a volume see B. Walter et al., "Microfacet
+// Models for Refraction through Rough Surfaces", 2007. The sheen is over the base, and the coat over the
+// sheen. As in the Khronos texts, each layer receives the light that the layers above do not reflect towards
+// wo. This preserves energy exactly but is not reciprocal.
 //
 // By default the base preserves energy. Its facets are balanced (facetBalance), with the colour that light
-// takes on in further reflections; diffuse light is what the dielectric's facets leave in both directions (C.
-// Kulla, A. Conty, "Revisiting Physically Based Shading at Imageworks", 2017). Both are reciprocal. Rough
-// glass is divided by its albedo (E. Turquin, "Practical Multiple Scattering Compensation for Microfacet
-// Models", 2019), which is not. With kSurfaceSingleScatter the base is Appendix B of glTF 2.0 to the letter.
+// acquires in further reflections. The diffuse lobe receives the light that the dielectric's facets do not
+// reflect, in both directions (C. Kulla, A. Conty, "Revisiting Physically Based Shading at Imageworks",
+// 2017). Both are reciprocal. Rough glass is divided by its albedo (E. Turquin, "Practical Multiple
+// Scattering Compensation for Microfacet Models", 2019), which is not reciprocal. With kSurfaceSingleScatter
+// the base follows glTF 2.0, Appendix B, exactly.
 #ifndef METAMARCH_SHARED_BSDF_MODEL_H
 #define METAMARCH_SHARED_BSDF_MODEL_H
 #include "coat.h"
@@ -23,11 +24,13 @@
 
 SHARED_BEGIN
 
-// Refraction between nearly equal media: the half vector of wo and wi would cancel.
+// The least ior of a refracting surface: between nearly equal media, the half vector of wo and wi would
+// cancel.
 const float kMinVolumeIor = 1.001f;
 const float kSchlickMean = 0.0476190476f; // 1/21, the mean of Schlick's weight over a uniformly lit surface
 
-// The reflectance of a facet by its angle, between `low` at normal incidence and `high` at grazing.
+// The reflectance of a facet depends on the angle; it goes from `low` at normal to `high` at grazing
+// incidence.
 struct Reflectance {
     vec3 low;
     vec3 high;
@@ -35,75 +38,78 @@ struct Reflectance {
 
 struct Bsdf {
     SurfaceFrame frame;
-    vec3 wo; // in the frame
+    vec3 wo; // in the coordinates of `frame`
     bool isSingleScatter;
 
-    // The base's facets.
+    // The facets of the base.
     vec2 alpha;
     float
         meanAlpha; // of the isotropic facets that stand in for anisotropic ones in albedos: see alphaTowards
     float lengthOut; // facetLength of wo
     float balanceOut;
-    bool isSmooth;     // their lobes are deltas
-    bool isRefractive; // the surface bounds a volume that lets light in
-    float eta;         // refractive index beyond the surface, in units of that on the side of wo
-    float etaF0;       // its reflectance at normal incidence
+    bool isSmooth;     // the lobes of the facets are deltas
+    bool isRefractive; // the surface bounds a transparent volume
+    float eta;         // refractive index beyond the surface, divided by that on the side of wo
+    float etaF0;       // reflectance at normal incidence of an interface with this eta
     float metallic;
     Reflectance metal;
     Reflectance dielectric;
     Film film;
     vec3 throughColor;
-    float dielectricGain; // of rough glass
+    float dielectricGain; // compensates the energy that rough glass loses by single scattering
     float throughGain;
-    vec3 multiple; // colour of what the balance adds
+    vec3 multiple; // colour of the light that the balance adds
     float multipleThrough;
 
-    // Diffuse light: both colours, and the dielectric above it by its largest channel.
+    // The diffuse lobes: their colours, and the largest channel of the reflectance of the dielectric above
+    // them.
     vec3 diffuseColor;
     vec3 diffuseThroughColor;
     float coverLow;
     float coverHigh;
     float coverMultiple;
-    float diffuseOut; // left towards wo; over the mean of all directions where wi counts, too
+    // Fraction of the light that the facets leave for the diffuse lobes, towards wo. If the fraction for wi
+    // is a factor too, this one is divided by its mean over all directions.
+    float diffuseOut;
 
-    float baseScale; // what the layers above the base let through
+    float baseScale; // fraction of the light that the layers above the base transmit
     vec3 sheenColor; // scaled by the coat
     float sheenRoughness;
     Coat coat;
 
-    float pBase; // probabilities of the lobes
+    float pBase; // the p… are the probabilities of sampling the lobes
     float pDiffuse;
     float pDiffuseThrough;
     float pCoat;
 
-    // For the kernel:
-    vec3 albedo;         // estimated, for the picture of that name
-    float emissionScale; // the coat lies over the emission, too
-    bool isDelta;        // no lobe is rough: light sampling cannot help
+    // For the integrator:
+    vec3 albedo;         // an estimate, for the channel `albedo`
+    float emissionScale; // fraction of the emission that the coat transmits
+    bool isDelta;        // no lobe is rough, so light sampling finds nothing
 };
 
-// How facets at one angle reflect and transmit.
+// The reflectance and transmittance of facets at one angle.
 struct FacetColors {
     vec3 reflected;
     vec3 through;
-    vec3 dielectric; // its reflectance alone
-    float cover;     // the largest channel of that
-    float share;     // of reflection, when one of the two is chosen
+    vec3 dielectric; // reflectance of the dielectric alone
+    float cover;     // largest channel of `dielectric`
+    float share;     // probability of reflection when sampling chooses between reflection and transmission
 };
 
 SHARED_FN vec3 atWeight(const Reflectance reflectance, const float weight) {
     return reflectance.low + (reflectance.high - reflectance.low) * weight;
 }
 
-// By Schlick, or for refraction by Fresnel's equations stretched to the same ends: only they know the
-// critical angle, and that equal media do not reflect.
+// Uses Schlick's approximation. For refraction it uses Fresnel's equations, stretched to the same end points:
+// only they have a critical angle and no reflection between equal media.
 SHARED_FN vec3 dielectricReflectance(const Bsdf bsdf, const Refraction refraction, const float cosine) {
     const float exact = (refraction.reflectance - bsdf.etaF0) / (1.0f - bsdf.etaF0);
     const float weight = bsdf.isRefractive ? exact : schlickWeight(cosine);
     return max(atWeight(bsdf.dielectric, weight), vec3(0.0f));
 }
 
-// Nothing passes where Snell's law has no solution, whatever the material or a film says.
+// Returns 1 for total internal reflection, where no light is transmitted, whatever the material or film.
 SHARED_FN vec3 orTotal(const Bsdf bsdf, const Refraction refraction, const vec3 reflectance) {
     return bsdf.isRefractive && refraction.cosine == 0.0f ? vec3(1.0f) : reflectance;
 }
@@ -113,7 +119,7 @@ SHARED_FN FacetColors facetColors(const Bsdf bsdf, const float cosine) {
     vec3 dielectric = dielectricReflectance(bsdf, refraction, cosine);
     vec3 metal = atWeight(bsdf.metal, schlickWeight(cosine));
     if (hasFeature(kFeatureIridescence)) {
-        // One film for both bases: materials between metal and dielectric are rare.
+        // One film serves both bases, because materials between metal and dielectric are rare.
         const vec3 base = blend3(bsdf.dielectric.low, bsdf.metal.low, bsdf.metallic);
         const vec3 filmed = filmReflectance(cosine, bsdf.film.ior, bsdf.film.thickness, base);
         dielectric = underFilm(bsdf.film, dielectric, filmed);
@@ -129,8 +135,8 @@ SHARED_FN FacetColors facetColors(const Bsdf bsdf, const float cosine) {
     return FacetColors(reflected, through, dielectric, cover, whole > 0.0f ? reflectedPart / whole : 0.0f);
 }
 
-// The colour of light that facets reflect more than once; `whole` is their mean albedo for the Fresnel
-// term 1.
+// Returns the colour of the light that facets reflect more than once. `whole` is their mean albedo for the
+// Fresnel term 1.
 SHARED_FN vec3 multipleReflectance(const Reflectance reflectance, const float whole) {
     const vec3 mean = atWeight(reflectance, kSchlickMean);
     return mean * mean * whole / (vec3(1.0f) - mean * (1.0f - whole));
@@ -141,15 +147,16 @@ SHARED_FN vec3 facetReflection(const Reflectance reflectance, const vec3 multipl
            multiple * (1.0f - facets.whole);
 }
 
-// What the dielectric's facets leave for diffuse light, towards one direction or in the mean.
+// Returns the fraction of the light that the dielectric's facets leave for the diffuse lobes, for one
+// direction or for the mean over all directions, as `facets` is.
 SHARED_FN float diffusePart(const Bsdf bsdf, const FacetAlbedo facets) {
     const float covered = bsdf.coverLow * (facets.whole - facets.grazing) + bsdf.coverHigh * facets.grazing +
                           bsdf.coverMultiple * (1.0f - facets.whole);
     return max(1.0f - covered, 0.0f);
 }
 
-// The film as facetColors lays it over a reflectance, at the one angle at which Schlick's weight is the
-// facets' mean.
+// Applies the film to a reflectance as facetColors does, at the single angle whose Schlick weight is the mean
+// over the facets.
 SHARED_FN Reflectance underMeanFilm(const Bsdf bsdf, const Reflectance reflectance,
                                     const FacetAlbedo facets) {
     const float cosine = 1.0f - power(max(facets.grazing / facets.whole, 1e-12f), 0.2f);
@@ -159,10 +166,11 @@ SHARED_FN Reflectance underMeanFilm(const Bsdf bsdf, const Reflectance reflectan
                        underFilm(bsdf.film, reflectance.high, filmed));
 }
 
-// For one direction, isotropic facets stand in for anisotropic ones: as rough as these in its own plane at
-// grazing angles, and a mean of both alphas at the normal, which of those tried keeps metals' energy best:
-// within 7 % up to strength 0.5; at strength 1 as much as 12 % is made where wo leans along the grooves'
-// roughness, and 43 % lost across it.
+// Returns the alpha of isotropic facets that replace anisotropic ones in albedos, for the direction w. At
+// grazing angles it is the alpha in the plane of w, at the normal a mean of both alphas. Of the formulas that
+// were tried, this one preserves the energy of metals best: within 7 % up to strength 0.5. At strength 1, up
+// to 12 % are gained if wo is tilted along the rougher axis, and up to 43 % are lost if it is tilted across
+// it.
 SHARED_FN float alphaTowards(const Bsdf bsdf, const vec3 w) {
     const float x = w.x * bsdf.alpha.x;
     const float y = w.y * bsdf.alpha.y;
@@ -170,7 +178,7 @@ SHARED_FN float alphaTowards(const Bsdf bsdf, const vec3 w) {
     return sqrt(x * x + y * y + z * z);
 }
 
-// Everything that the material says by itself, without an albedo.
+// Sets the members that follow from the material without an albedo.
 SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame frame, const vec3 wo) {
     Bsdf bsdf;
     const vec3 local = vec3(dotProduct(wo, frame.tangent), dotProduct(wo, frame.bitangent),
@@ -218,14 +226,14 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     return bsdf;
 }
 
-// Once per hit; of unit length: wo, in world space, away from the surface.
+// Call it once per hit. `wo` has unit length, is in world space and points away from the surface.
 SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame, const vec3 wo) {
     Bsdf bsdf = plainBsdf(material, frame, wo);
     const float cosOut = bsdf.wo.z;
     const float dielectricPart = 1.0f - bsdf.metallic;
     const bool isInside = (material.flags & kSurfaceVolume) != 0u && frame.isBack != 0u;
 
-    // What the facets reflect, and leave for diffuse light.
+    // Find the light that the facets reflect, and the light that they leave for the diffuse lobes.
     const float alphaOut = alphaTowards(bsdf, bsdf.wo);
     // Without kFeatureFacets both are multiplied by 0.
     FacetAlbedo facets = FacetAlbedo(1.0f, 0.0f);
@@ -250,7 +258,7 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
     bsdf.diffuseOut =
         bsdf.isRefractive ? diffuseHere : diffuseHere / max(diffusePart(bsdf, meanFacets), 1e-3f);
 
-    // What they shadow is given back.
+    // Give back the energy that facets shadow.
     const bool isCompensated = !bsdf.isSingleScatter && !bsdf.isSmooth;
     float glassGain = 1.0f;
     float glassPart = 0.0f;
@@ -267,7 +275,7 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
         (isCompensated ? 1.0f : 0.0f);
     bsdf.multipleThrough = isCompensated && !bsdf.isRefractive ? 1.0f - bsdf.coverMultiple : 0.0f;
 
-    // The layers, which lie on the outside of a volume.
+    // Add the layers above the base. They are on the outside of a volume.
     float coatScale = 1.0f;
     bsdf.coat.albedo = 0.0f;
     bsdf.coat.isSmooth = true;
@@ -288,14 +296,15 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
     bsdf.baseScale = coatScale - largest(bsdf.sheenColor) * sheen;
     bsdf.emissionScale = coatScale;
 
-    // Each lobe is as likely as it is bright.
+    // Sample each lobe in proportion to its brightness.
     const vec3 fromDielectric =
         bsdf.isRefractive ? atNormal.dielectric : facetReflection(dielectric, dielectricMultiple, facets);
     const vec3 fromMetal = facetReflection(metal, metalMultiple, facets);
     const vec3 through = bsdf.throughColor * (1.0f - largest(fromDielectric));
     const vec3 base =
         (fromMetal * bsdf.metallic + fromDielectric * dielectricPart + through) * bsdf.baseScale;
-    // Single scatter mixes by the facet that each wi has: some of them always leave diffuse light a part.
+    // With single scattering, the mix depends on the facet of each wi, and some facets always leave light for
+    // the diffuse lobes; therefore they keep a probability.
     const float diffuseScale = (bsdf.isSingleScatter ? max(diffuseHere, 0.1f) : diffuseHere) * bsdf.baseScale;
     const vec3 diffuse = bsdf.diffuseColor * diffuseScale + bsdf.sheenColor * sheen;
     const vec3 diffuseThrough = bsdf.diffuseThroughColor * diffuseScale;

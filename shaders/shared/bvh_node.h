@@ -6,7 +6,7 @@
 
 SHARED_BEGIN
 
-// Longest path from the root to a leaf, in edges. The builder keeps it, so a stack of this size cannot
+// The longest path from the root to a leaf, in edges. The builder obeys it, so a stack of this size cannot
 // overflow.
 const uint kMaxBvhDepth = 48u;
 
@@ -30,8 +30,8 @@ SHARED_FN bool isBvhLeaf(const uint child) { return (child & kBvhLeaf) != 0u; }
 SHARED_FN uint bvhTriangleCount(const uint child) { return (child >> 27u) & 15u; }
 SHARED_FN uint bvhFirstTriangle(const uint child) { return child & 0x07ffffffu; }
 
-// Where the ray is in the box, as (near, far): it misses where near > far. The boxes are grown by far more
-// than the roundings here.
+// Returns the interval (near, far) of t in which the ray is in the box; if near > far, it misses the box. The
+// builder has grown the boxes by far more than the rounding errors here.
 SHARED_FN vec2 crossBox(const Ray ray, const vec3 lo, const vec3 hi, const float tMax) {
     const vec3 t0 = (lo - ray.start) * ray.invStride;
     const vec3 t1 = (hi - ray.start) * ray.invStride;

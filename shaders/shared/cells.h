@@ -29,7 +29,7 @@ SHARED_FN CellPlace cellPlace(const Ray ray, const float t, const uvec3 resoluti
 
 const uint kNoLeaf = 0xffffffffu;
 
-// What the table holds at that place.
+// The table's content at a place.
 struct CellFacts {
     CellPlace place;
     uint leafId;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours for numbers that are none.
+// Colours that stand for numbers.
 #ifndef METAMARCH_SHARED_FALSE_COLOR_H
 #define METAMARCH_SHARED_FALSE_COLOR_H
 #include "packed_pixel.h"
@@ -7,9 +7,9 @@
 
 SHARED_BEGIN
 
-// How hot a part of the hottest is, sRGB-coded: from black over violet and orange to pale yellow, in the
-// order of lightness. S. van der Walt, N. Smith, the colour map `inferno` of Matplotlib, 2015, by the
-// polynomials that M. Zucker fitted to it (CC0).
+// Returns the sRGB-coded heat map colour of `part`, from 0 to 1: black, violet, orange and pale yellow, in
+// the order of lightness. It is the colour map `inferno` of Matplotlib (S. van der Walt, N. Smith, 2015), by
+// the polynomials that M. Zucker fitted to it (CC0).
 SHARED_FN vec3 heatColor(const float part) {
     const float t = part > 0.0f ? min(part, 1.0f) : 0.0f;
     const vec3 t6 = vec3(25.13112622f, -12.24266895f, -23.070325f) * t;
@@ -21,7 +21,8 @@ SHARED_FN vec3 heatColor(const float part) {
     return vec3(0.0002189403692f, 0.001651004631f, -0.01948089844f) + t1;
 }
 
-// B. Ottosson, "A perceptual color space for image processing" (Oklab), 2020. Linear, may leave [0, 1].
+// Returns linear Rec. 709, which may lie outside [0, 1]. B. Ottosson, "A perceptual color space for image
+// processing" (Oklab), 2020.
 SHARED_FN vec3 oklabColor(const float lightness, const float a, const float b) {
     const float l = lightness + 0.3963377774f * a + 0.2158037573f * b;
     const float m = lightness - 0.1055613458f * a - 0.0638541728f * b;
@@ -34,8 +35,8 @@ SHARED_FN vec3 oklabColor(const float lightness, const float a, const float b) {
                 -0.0041960863f * l3 - 0.7034186147f * m3 + 1.7076147010f * s3);
 }
 
-// A colour for an id, linear. Any hue; lightness and chroma vary little, so that none stands out and shading
-// stays readable.
+// Returns a linear colour for an id. It may have any hue, but lightness and chroma vary little, so that no id
+// stands out and shading stays visible.
 SHARED_FN vec3 idColor(const uint id) {
     const uint bits = hashed(id + 1u); // 0 would map to itself
     const vec2 hue = circlePoint(float(bits & 0xffffu) * (1.0f / 65536.0f));
@@ -44,7 +45,8 @@ SHARED_FN vec3 idColor(const uint id) {
     return max(oklabColor(lightness, chroma * hue.x, chroma * hue.y), vec3(0.0f));
 }
 
-// The same as a lamp at the eye shows it: enough to see the shape.
+// Shades a colour as a lamp at the eye would, so that shapes are visible. `cosine` is that between the ray
+// and the normal.
 SHARED_FN vec3 shadedColor(const vec3 color, const float cosine) {
     return color * (0.3f + 0.7f * abs(cosine));
 }

@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: MIT
-// What of the material model and of the light's transport a scene uses.
+// The parts of the material model and of light transport that a scene uses.
 //
-// A driver that runs both sides of a branch pays for what a scene does not use. A kernel may define
-// SHADING_FEATURES as a specialization constant; what is missing from it then counts as absent, which must
-// not change a bit of the result for a scene that does not use it.
+// On a driver that executes both sides of a branch, unused parts cost time. A kernel may therefore define
+// SHADING_FEATURES as a specialization constant and so remove the features that are not set in it. That must
+// not change a bit of the result for a scene that does not use them.
 #ifndef METAMARCH_SHARED_FEATURES_H
 #define METAMARCH_SHARED_FEATURES_H
 #include "interop.h"
 
 SHARED_BEGIN
 
-// The BSDF's.
+// Parts of the BSDF.
 const uint kFeatureCoat = 1u << 0u;
 const uint kFeatureSheen = 1u << 1u;
 const uint kFeatureTransmission = 1u << 2u;
-const uint kFeatureVolume = 1u << 3u; // refraction; wants kFeatureTransmission
+const uint kFeatureVolume = 1u << 3u; // refraction; needs kFeatureTransmission
 const uint kFeatureIridescence = 1u << 4u;
 const uint kFeatureDiffuseTransmission = 1u << 5u;
 const uint kBsdfFeatures = kFeatureCoat | kFeatureSheen | kFeatureTransmission | kFeatureVolume |
                            kFeatureIridescence | kFeatureDiffuseTransmission;
 
 const uint kFeatureTextures = 1u << 6u;
-const uint kFeatureDeepTextures = 1u << 7u; // of more than 8 bits a channel
-const uint kFeatureNormalMaps = 1u << 8u;   // the coat's, too
+const uint kFeatureDeepTextures = 1u << 7u; // textures with more than 8 bits per channel
+const uint kFeatureNormalMaps = 1u << 8u;   // of the base or the coat
 const uint kFeatureAnisotropy = 1u << 9u;
-const uint kFeatureColors = 1u << 10u; // of vertices
-const uint kFeatureAlpha = 1u << 11u;  // materials with holes
+const uint kFeatureColors = 1u << 10u; // vertex colours
+const uint kFeatureAlpha = 1u << 11u;  // materials with alpha mode mask or blend
 const uint kFeatureDispersion = 1u << 12u;
 const uint kFeatureSpecular = 1u << 13u;
 const uint kFeatureUnlit = 1u << 14u;
 const uint kFeatureEmission = 1u << 15u;
 const uint kFeatureLights = 1u << 16u;      // something that light sampling can find
-const uint kFeatureEnvironment = 1u << 17u; // a map, and not only a constant colour
+const uint kFeatureEnvironment = 1u << 17u; // an environment map, not only a constant colour
 const uint kFeatureFacets = 1u << 18u;      // the base reflects or refracts, or there is sheen
-const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter asks how large a texel is seen
+const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter depends on the size of a pixel in texels
 const uint kFirstFreeFeature = 1u << 20u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 

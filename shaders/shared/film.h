@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an integrator collects of a pixel. src/image/aov.cpp says which channels of a picture are made of it.
+// The sums that an integrator collects for a pixel. src/image/aov.cpp makes the channels of a picture from
+// them.
 #ifndef METAMARCH_SHARED_FILM_H
 #define METAMARCH_SHARED_FILM_H
 #include "ray.h"
@@ -7,11 +8,11 @@
 
 SHARED_BEGIN
 
-// What the camera sees at the end of its ray, for the channels beside the colour. A pixel has the sums of the
-// vectors and the scalars of its first sample.
+// The surface that a camera ray hits, for the channels other than the colour. A pixel holds the sums of the
+// vectors over its samples, and the scalars of its first sample.
 struct FirstHit {
     vec3 albedo;
-    float t;     // kFarthest: nothing
+    float t;     // kFarthest for a miss
     vec3 normal; // geometric
     uint triangleId;
     vec3 shadingNormal;
@@ -22,17 +23,18 @@ SHARED_FN FirstHit missFirst() {
     return FirstHit(vec3(0.0f), kFarthest, vec3(0.0f), kNoTriangle, vec3(0.0f), kFarthest);
 }
 
-// A sample beyond this is no light: the squares of samples are to stay finite.
+// The largest radiance of a sample; larger ones are rejected. The sums of squares stay finite.
 const float kLargestRadiance = 1.0e15f;
 
-// The sums of a pixel's samples in their order, so that they do not depend on how the work is cut.
+// Sums over the samples of a pixel. Samples are added in their order, so that the sums do not depend on how
+// the work is divided.
 struct FilmPixel {
     vec3 radiance;
-    uint samples;  // taken, rejected ones included
-    vec3 squares;  // of radiances
-    uint rejected; // samples that were not finite; in no sum
+    uint samples;  // number of samples taken, with rejected ones
+    vec3 squares;  // squared radiance
+    uint rejected; // number of samples whose radiance was not finite or too large; they are in no sum
     FirstHit seen;
-    float covered; // samples that hit something
+    float covered; // number of samples that hit something
     uint rays;
     uint shadowRays;
     float steps; // of all rays
@@ -46,8 +48,8 @@ SHARED_FN FilmPixel emptyPixel() {
     return FilmPixel(vec3(0.0f), 0u, vec3(0.0f), 0u, missFirst(), 0.0f, 0u, 0u, 0.0f, 0.0f, 0u, 0u, 0u);
 }
 
-// A pixel with this sample alone. It is not added to 0: drivers may fold that sum, and -0 would stay -0 on
-// one side.
+// Returns a pixel with this sample only. The sample is not added to 0, because drivers may fold that sum, and
+// then -0 would stay -0 on one side.
 SHARED_FN FilmPixel onlySample(const vec3 radiance, const FirstHit first) {
     return FilmPixel(radiance, 1u, radiance * radiance, 0u, first,
                      first.triangleId == kNoTriangle ? 0.0f : 1.0f, 0u, 0u, 0.0f, 0.0f, 0u, 0u, 0u);
@@ -74,7 +76,7 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     return added;
 }
 
-// The pixel's colour: the mean of the samples that count.
+// Returns the pixel's colour: the mean over the samples that were not rejected.
 SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
     return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
 }

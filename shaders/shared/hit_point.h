@@ -6,8 +6,8 @@
 
 SHARED_BEGIN
 
-// Weights of the three corners where the ray meets the triangle, which it does; they sum to 1. As
-// intersectTriangle has them where it computes them without cancellation.
+// Returns the barycentric weights of the hit; they sum to 1. The ray must hit the triangle. They are computed
+// without cancellation, as intersectTriangle does in its second attempt.
 SHARED_FN vec3 cornerWeights(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
     const vec3 a = shearCorner(ray, v0);
     const vec3 b = shearCorner(ray, v1);
@@ -20,7 +20,7 @@ SHARED_FN vec3 cornerWeights(const Ray ray, const vec3 v0, const vec3 v1, const 
     return sum > 0.0f ? vec3(u * scale, v * scale, w * scale) : vec3(1.0f, 0.0f, 0.0f);
 }
 
-// The next float away from zero in the direction of `towards`, of one component.
+// Returns the float next to x in the direction of the sign of `towards`; if `towards` is 0, returns x.
 SHARED_FN float nextTowards(const float x, const float towards) {
     if (towards == 0.0f) {
         return x;
@@ -34,19 +34,20 @@ SHARED_FN float nextTowards(const float x, const float towards) {
 }
 
 struct SurfacePoint {
-    vec3 position; // on the triangle but for rounding
-    vec3 normal;   // geometric, unit length, out of the front
-    float lift;    // how far along the normal a point is sure to lie off the triangle, rounding included
+    vec3 position; // on the triangle, up to rounding
+    vec3 normal;   // geometric normal on the front side, unit length
+    float lift;    // a point moved by this along the normal is off the triangle, despite rounding
 };
 
-// How far the triangle test may see a triangle from where it is, in units of its longest edge, and so how far
-// a ray from its plane must start to miss it: 9 ulps (triangle.h), taken thrice.
-const float kTestError = 1.6093254e-6f;  // 27 * 2^-24
-const float kPointError = 1.7881393e-7f; // 3 * 2^-24: of adding an offset to a corner, and the lift to that
+// The triangle test may see a triangle away from its true place by 9 ulps of its longest edge (triangle.h).
+// kTestError is three times that, in units of the longest edge: a ray that starts so far away misses it.
+const float kTestError = 1.6093254e-6f; // 27 * 2^-24
+// The rounding errors of adding an offset to a corner, and of adding the lift.
+const float kPointError = 1.7881393e-7f; // 3 * 2^-24
 
-// The error bounds are M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 4th edition, 2023,
-// section 6.8, for a point counted from the first corner: edges are small where positions are large, so only
-// the last addition feels how far away from the origin the scene lies.
+// The error bounds follow M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 4th edition, 2023,
+// section 6.8. The position is computed relative to the first corner, so only the last addition has a
+// rounding error that grows with the distance of the scene from the origin.
 SHARED_FN SurfacePoint makeSurfacePoint(const TriangleRecord triangle, const vec3 weights) {
     const vec3 e1 = triangle.v1 - triangle.v0;
     const vec3 e2 = triangle.v2 - triangle.v0;
@@ -60,7 +61,8 @@ SHARED_FN SurfacePoint makeSurfacePoint(const TriangleRecord triangle, const vec
     return SurfacePoint(position, normal, rounding + kTestError * largest(reach));
 }
 
-// Where a ray starts that leaves the point to the side of `towards`: off the triangle by its lift at least.
+// Returns the origin of a ray that leaves the point on the side of `towards`. It is off the triangle by at
+// least the lift.
 SHARED_FN vec3 offsetPoint(const SurfacePoint point, const vec3 towards) {
     const float side = dotProduct(towards, point.normal) < 0.0f ? -1.0f : 1.0f;
     const vec3 away = point.normal * side;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The views of surfaces and of the work that a ray took: from what is known of a camera ray to a pixel.
+// The debug views of surfaces and of traversal costs: from a traced camera ray to a pixel's colour.
 #ifndef METAMARCH_SHARED_INSPECT_H
 #define METAMARCH_SHARED_INSPECT_H
 #include "false_color.h"
@@ -9,10 +9,10 @@
 
 SHARED_BEGIN
 
-const float kDepthBands = 64.0f; // from the eye to where it is black
-const float kUvSquares = 32.0f;  // of the checker, along a unit
+const float kDepthBands = 64.0f; // number of bands from the eye to the depth that is black
+const float kUvSquares = 32.0f;  // number of squares of the checkerboard per unit
 
-// Texture coordinates of the first set, also where no texture wants them.
+// Returns the texture coordinates of the first set, even if no texture uses them.
 SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weights) {
     const Vertex a = loadVertex(SCENE surface.vertex0);
     const Vertex b = loadVertex(SCENE surface.vertex1);
@@ -20,7 +20,7 @@ SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weig
     return vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z;
 }
 
-// The fractions as red and green, on a faint checker.
+// Shows the fractional parts as red and green, on a faint checkerboard.
 SHARED_FN vec3 uvColor(const vec2 uv) {
     const vec2 part = uv - floor(uv);
     const vec2 squares = floor(uv * kUvSquares);
@@ -29,13 +29,13 @@ SHARED_FN vec3 uvColor(const vec2 uv) {
     return vec3(part.x * light, part.y * light, 0.25f * light);
 }
 
-// From white near the eye to black, in bands whose edges run like the contours of a map.
+// Goes from white at the eye to black, in bands whose edges look like the contour lines of a map.
 SHARED_FN vec3 depthColor(const float part) {
     const float bands = part * kDepthBands;
     return vec3((1.0f - part) * (1.0f - 0.2f * (bands - floor(bands))));
 }
 
-// `triangle` is the one that was hit; of a miss it is not looked at.
+// `triangle` is the one that was hit; it is ignored for a miss.
 SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Camera camera,
                               const Inspected found, const TriangleRecord triangle) {
     if (found.steps == kCutShort) {
@@ -49,7 +49,7 @@ SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Came
         return kMissColor;
     }
     if (push.view == kViewDepth) {
-        // A panorama has no view axis: along the ray.
+        // A panorama has no view axis, so its depth is the distance along the ray.
         const float t = found.ray.shift + found.hit.t;
         const float cosine = dotProduct(found.view.dir, camera.forward);
         return packedPixel(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The views that make the algorithm visible, and what their kernels, `inspect` and `cells`, have in common.
+// The debug views, and the types that their kernels, `inspect` and `cells`, have in common.
 #ifndef METAMARCH_SHARED_INSPECT_VIEW_H
 #define METAMARCH_SHARED_INSPECT_VIEW_H
 #include "camera.h"
@@ -8,16 +8,16 @@
 SHARED_BEGIN
 
 // InspectPush::view. Each has a row in host/render/view_names.h and a colour in inspect.h or cells.h.
-const uint kViewSteps = 0u;          // look-ups or nodes visited
-const uint kViewTests = 1u;          // triangle tests
+const uint kViewSteps = 0u;          // number of steps or node visits
+const uint kViewTests = 1u;          // number of triangle tests
 const uint kViewDepth = 2u;          // along the view axis
-const uint kViewNormals = 3u;        // geometric, to the front of the triangle
-const uint kViewShadingNormals = 4u; // with normal map, to the side of the eye
+const uint kViewNormals = 3u;        // geometric normals, on the front of the triangle
+const uint kViewShadingNormals = 4u; // with normal map, on the side of the eye
 const uint kViewUvs = 5u;            // the first set of texture coordinates
 const uint kViewAlbedo = 6u;         // base colour
 const uint kViewTriangleId = 7u;
 const uint kViewMaterialId = 8u;
-// What the table knows of the place that was hit.
+// Views of the meta table's content at the hit point.
 const uint kViewLeafId = 9u;
 const uint kViewCellBorders = 10u; // lattice planes, and where they divide leaves
 const uint kViewExitBoxes = 11u;   // of the leaf
@@ -26,17 +26,17 @@ struct InspectPush {
     uint firstTile; // of kTilePixels (primary.h), numbered in rows
     uint tilesPerRow;
     uint view;
-    float scaleMax; // positive: the count of the hottest colour, or where depth is black, in world units
+    float scaleMax; // positive; the count with the hottest colour, or the depth that is black, in world units
 };
 
-// Pixels, packed as packedPixel does.
+// Colours in the format of packedPixel.
 const uint kMissColor = 0xff2b2725u;       // the ray met nothing
 const uint kUnfinishedColor = 0xffff00ffu; // the driver ended the trace: there is no result
 
-// What a trace of a camera ray found.
+// The result of tracing a camera ray.
 struct Inspected {
     CameraRay view;
-    Ray ray; // made of it
+    Ray ray; // made from `view`
     Hit hit;
     uint steps; // kCutShort: the trace is not finished
     uint tests;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few words that let one header be read as GLSL and as C++ (with GLM).
+// The macros and names that let one header compile as GLSL and as C++ (with GLM).
 #ifndef METAMARCH_SHARED_INTEROP_H
 #define METAMARCH_SHARED_INTEROP_H
 
@@ -12,9 +12,9 @@
 
 #define SHARED_BEGIN namespace metamarch {
 #define SHARED_END }
-// Every shared function: in GLSL `precise`, so that what it returns is computed without contraction and
-// reassociation; C++ has that from -ffp-contract=off. (glslang follows the return value back through the
-// function, not through its inout parameters: return a struct.)
+// Begins every shared function. In GLSL it is `precise`: the return value is computed without contraction and
+// reassociation. In C++, -ffp-contract=off has the same effect. (glslang applies `precise` to the return
+// value but not to inout parameters, so functions return structs.)
 #define SHARED_FN inline
 #define SHARED_ASSERT_SIZE(T, bytes)                                                                         \
     static_assert(sizeof(T) == (bytes) && std::is_trivially_copyable_v<T>,                                   \

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One node of the kd-tree, 8 bytes, in depth-first order: the child below the plane is the next node.
+// One node of the kd-tree, 8 bytes. Nodes are in depth-first order: the child below the plane is the next
+// node.
 #ifndef METAMARCH_SHARED_KD_NODE_H
 #define METAMARCH_SHARED_KD_NODE_H
 #include "interop.h"
 
 SHARED_BEGIN
 
-// Longest path from the root to a leaf, in edges. The builder keeps it, so a stack of this size cannot
+// The longest path from the root to a leaf, in edges. The builder obeys it, so a stack of this size cannot
 // overflow.
 const uint kMaxTreeDepth = 48u;
 

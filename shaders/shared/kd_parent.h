@@ -9,11 +9,12 @@ SHARED_BEGIN
 struct KdParent {
     uint lo;     // packCell: the node's box of whole cells
     uint hi;     // packCell, exclusive
-    uint parent; // node id; the root's is the root
+    uint parent; // node id; the root is its own parent
     uint padding;
 };
 
-// Where the ray leaves the box [lo, hi): the very bits of the kd-tree's tSplit at the same plane.
+// Returns the t at which the ray leaves the box [lo, hi). It has the same bits as KdFork::tSplit of that
+// plane.
 SHARED_FN float exitOf(const Ray ray, const KdParent node) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     const ivec3 plane = mix(unpackCell(node.lo), unpackCell(node.hi), upward);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every walk down the kd-tree does at an inner node; the loops are in traversal/kd_*.glsl and their CPU
-// twins.
+// The step at an inner node that all walks down the kd-tree share. The loops are in traversal/kd_*.glsl and
+// their CPU twins.
 #ifndef METAMARCH_SHARED_KD_WALK_H
 #define METAMARCH_SHARED_KD_WALK_H
 #include "kd_node.h"
@@ -10,23 +10,24 @@ SHARED_BEGIN
 
 SHARED_FN float component(const vec3 v, const uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
 
-// Where the ray crosses the plane of lattice coordinate `plane`.
+// Returns the t at which the ray crosses the plane with the lattice coordinate `plane`.
 SHARED_FN float crossPlane(const Ray ray, const uint axis, const uint plane) {
     const float t = (float(plane) - component(ray.start, axis)) * component(ray.invStride, axis);
     return t;
 }
 
-// An inner node as the ray's interval [tNear, tFar] meets it.
+// An inner node, seen from a ray's interval [tNear, tFar].
 struct KdFork {
-    uint nearChild; // holds the ray's start; of a start on the plane, the child that the ray comes from
+    uint nearChild; // contains the ray's start; if the start is on the plane, the child that the ray comes
+                    // from
     uint farChild;
     float tSplit;
-    bool meetsNear; // one of the two, or both
+    bool meetsNear; // the interval meets at least one of the children
     bool meetsFar;
 };
 
-// An interval that begins on the plane is all on the far side: a walk that comes back from the root to
-// tNear = tSplit must not find the near child again.
+// An interval that begins on the plane belongs to the far child: a walk that restarts at the root with
+// tNear = tSplit must not enter the near child again.
 SHARED_FN KdFork forkAt(const Ray ray, const uint nodeId, const KdNode node, const float tNear,
                         const float tFar) {
     const uint axis = splitAxis(node);

@@ -116,7 +116,7 @@ SHARED_FN LightSample sampleLight(const LightRecord light, const vec3 point, con
                        isDisc ? 1.0f / discAngle : 0.0f);
 }
 
-// Whether a ray that leaves the scene in direction `wi` sees the disc.
+// Returns true if a ray that leaves the scene in direction `wi` sees the disc.
 SHARED_FN bool hitsDisc(const LightRecord light, const vec3 wi) {
     const vec3 off = wi - light.direction; // its square is 2 * (1 - cosine), without cancellation
     return light.kind == kLightDisc && dotProduct(off, off) <= 2.0f * light.scale;

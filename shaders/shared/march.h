@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The steps of the march through the meta table; the loops are in traversal/meta_table.glsl and its CPU twin.
+// The steps of the march through the meta table. The loops are in traversal/meta_table.glsl and its CPU twin.
 #ifndef METAMARCH_SHARED_MARCH_H
 #define METAMARCH_SHARED_MARCH_H
 #include "ray.h"
 
 SHARED_BEGIN
 
-// The cell at distance t, kept within [lo, hi).
+// Returns the cell at t along the ray, clamped to [lo, hi).
 SHARED_FN ivec3 cellAt(const Ray ray, const float t, const ivec3 lo, const ivec3 hi) {
     const vec3 p = ray.start + ray.stride * t;
     return ivec3(clamp(floor(p), vec3(lo), vec3(hi - 1))); // clamped as floats: every value converts
 }
 
 struct BoxExit {
-    float t;    // where the ray leaves the box
-    ivec3 cell; // the first cell behind it; may lie outside the lattice
+    float t;    // at which the ray leaves the box
+    ivec3 cell; // the first cell behind the box; may be outside the lattice
 };
 
-// Leaves the box [lo, hi) that `cell` lies in. The cell moves on by at least one in exactly one axis, the one
-// whose plane comes first by ordered comparison, and set from the integer plane; in the others it never moves
-// back: a float position could, by a rounding, and the march would then not end.
+// Leaves the box [lo, hi), which contains `cell`. On the axis whose plane comes first, by ordered comparison,
+// the cell moves on by at least one, to the cell beyond the integer plane. On the other axes it never moves
+// back. A float position could move back because of rounding, and then the march would not end.
 SHARED_FN BoxExit leaveBox(const Ray ray, const ivec3 lo, const ivec3 hi, const ivec3 cell) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     const vec3 tPlane = (vec3(mix(lo, hi, upward)) - ray.start) * ray.invStride;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a hit to what the BSDF wants: vertex attributes interpolated, textures looked up.
+// Makes the input of the BSDF at a hit: interpolates vertex attributes and looks up textures.
 #ifndef METAMARCH_SHARED_MATERIAL_H
 #define METAMARCH_SHARED_MATERIAL_H
 #include "surface.h"
@@ -9,20 +9,21 @@ SHARED_BEGIN
 
 SHARED_FN vec3 xyz(const vec4 v) { return vec3(v.x, v.y, v.z); }
 
-// log2 of the side of a square as large as `part` of the triangle's area in texture coordinates, kept to what
-// logarithm() takes.
+// Returns log2 of the side of a square that has `part` times twice the triangle's area in texture
+// coordinates. The square's area is clamped to the domain of logarithm().
 const float kLeastSeen = 1.0e-30f;
 const float kMostSeen = 1.0e30f;
 SHARED_FN float levelOf(const vec2 a, const vec2 b, const vec2 c, const float part) {
     const vec2 e1 = b - a;
     const vec2 e2 = c - a;
     const float seen = abs(e1.x * e2.y - e1.y * e2.x) * part;
-    // By comparisons: of NaN none holds, which drivers' min and max do not promise.
+    // Comparisons map NaN to kLeastSeen; min and max of some drivers would not.
     const float bounded = seen > kLeastSeen ? (seen < kMostSeen ? seen : kMostSeen) : kLeastSeen;
     return logarithm(bounded) * 0.721347520444f; // 1 / (2 ln 2)
 }
 
-// `part`: the area to be seen at once, of twice the triangle's; 0 for a point. `uLevel`: TexturePoint's.
+// `part` is the area of the footprint, as a fraction of twice the triangle's area; 0 for a point. `uLevel` is
+// TexturePoint::uLevel.
 SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const vec3 weights,
                                     const float part, const float uLevel) {
     if (!hasFeature(SCENE kFeatureTextures)) {
@@ -47,7 +48,7 @@ SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const
                         a1 * weights.x + b1 * weights.y + c1 * weights.z, level0, level1, uLevel);
 }
 
-// Where what is there, and what shines, is looked up for rays that have no width: in full size.
+// Returns the point for look-ups of alpha and emission by rays without a width: the full-size level.
 SHARED_FN TexturePoint finestPoint(SCENE_PARAMETER const Surface surface, const vec3 weights) {
     return texturePoint(SCENE surface, weights, 0.0f, 0.0f);
 }
@@ -60,7 +61,7 @@ SHARED_FN vec4 vertexColor(SCENE_PARAMETER const Surface surface, const vec3 wei
            loadColor(SCENE surface.vertex2) * weights.z;
 }
 
-// What of the surface is there, from 0 to 1.
+// Returns the opacity of the surface, from 0 to 1.
 SHARED_FN float coverageOf(const MaterialRecord material, const float alpha) {
     const float masked = alpha >= material.alphaCutoff ? 1.0f : 0.0f;
     const bool isMask = (material.flags & kMaterialMask) != 0u;
@@ -83,7 +84,7 @@ SHARED_FN vec3 baseColorOf(SCENE_PARAMETER const MaterialRecord record, const ve
     return record.baseColor * xyz(color) * xyz(lookUp(SCENE record.baseColorTexture, at));
 }
 
-// The material with every texture looked up.
+// Looks up all textures of the material.
 SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord record, const vec4 color,
                                           const TexturePoint at, const float ior) {
     SurfaceMaterial material;
@@ -142,7 +143,7 @@ SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord r
     return material;
 }
 
-// A normal of the tangent space, from a texel, in world space; `normal` where there is no texture.
+// Returns the normal of a normal map in world space, or `normal` if there is no texture.
 SHARED_FN vec3 mappedNormal(SCENE_PARAMETER const uint textureId, const float scale, const TexturePoint at,
                             const vec3 normal, const vec4 tangent) {
     const vec3 texel = xyz(lookUp(SCENE textureId, at)) * 2.0f - vec3(1.0f);
@@ -152,7 +153,7 @@ SHARED_FN vec3 mappedNormal(SCENE_PARAMETER const uint textureId, const float sc
     return textureId == kNoTextureRecord || !(size > 0.0f) ? normal : unitVector(mapped);
 }
 
-// The directions of the surface at the hit; `wo` of unit length, away from it.
+// Returns the directions of the surface at the hit. `wo` has unit length and points away from the surface.
 SHARED_FN SurfaceFrame surfaceFrame(SCENE_PARAMETER const MaterialRecord record, const Surface surface,
                                     const vec3 weights, const TexturePoint at, const vec3 geometricNormal,
                                     const vec3 wo) {

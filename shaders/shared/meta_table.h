@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The meta table's memory: two levels, so that its size follows the leaves' faces and not the lattice's
-// volume.
+// The memory layout of the meta table. It has two levels, so that its size grows with the area of the leaves'
+// faces and not with the volume of the lattice.
 //
-// The first words have an entry for each brick of kBrickSide^3 cells, in the order of cellIndex: the id of
-// the one leaf that holds all of it, or kMixed and where in the same array the brick's cells begin, each with
-// the id of its leaf. Bricks stick out of the lattice where its resolution is no multiple of their side.
+// The array begins with one word for each brick of kBrickSide^3 cells, in the order of cellIndex. If one leaf
+// contains the whole brick, the word is its id. Otherwise it is kMixed plus the index in the same array at
+// which the brick's cells begin; these have one word each, the id of the cell's leaf. If the resolution is
+// not a multiple of kBrickSide, the last bricks extend beyond the lattice.
 #ifndef METAMARCH_SHARED_META_TABLE_H
 #define METAMARCH_SHARED_META_TABLE_H
 #include "scene_layout.h"
@@ -22,7 +23,7 @@ SHARED_FN uvec3 bricksAlong(const uvec3 resolution) {
                  (resolution.z + kBrickSide - 1u) >> kBrickBits);
 }
 
-// Where the entry of the cell's brick is.
+// Returns the index of the word of the cell's brick.
 SHARED_FN uint brickEntry(const ivec3 cell, const uvec3 resolution) {
     return cellIndex(ivec3(cell.x >> kBrickBits, cell.y >> kBrickBits, cell.z >> kBrickBits),
                      bricksAlong(resolution));
@@ -30,7 +31,7 @@ SHARED_FN uint brickEntry(const ivec3 cell, const uvec3 resolution) {
 
 SHARED_FN bool isMixed(const uint entry) { return entry >= kMixed; }
 
-// Where a mixed brick's word for the cell is.
+// Returns the index of the cell's word in a mixed brick. `entry` is the brick's word.
 SHARED_FN uint cellEntry(const uint entry, const ivec3 cell) {
     const uint inside = kBrickSide - 1u;
     return (entry - kMixed) + (((uint(cell.z) & inside) << (2 * kBrickBits)) |

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The path tracer: a path from the camera, one surface at a time, with next-event estimation.
+// The path tracer: follows a path from the camera, one surface at a time, with next-event estimation.
 //
-// Light is found in two ways, by sampling lights and by sampling the BSDF, weighted against each other: E.
-// Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995. The kernel and
-// the CPU trace the rays; everything else of the estimator is here.
+// Both light sampling and BSDF sampling find light. Multiple importance sampling combines them: E. Veach, L.
+// Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", 1995. The kernel and the CPU
+// trace the rays; the rest of the estimator is here.
 #ifndef METAMARCH_SHARED_PATH_H
 #define METAMARCH_SHARED_PATH_H
 #include "bsdf.h"
@@ -14,34 +14,35 @@
 
 SHARED_BEGIN
 
-// In place of a density: no other way finds this direction.
+// Replaces a density if no other technique can find the direction.
 const float kCertain = 1.0e30f;
-// Before this bounce paths are not ended by chance, then they survive with the square root of what they still
-// carry. In a closed box and under a map it had the least error for its time, against what they carry itself
-// from bounces 1, 2 and 4, the root from bounce 1, and no roulette.
+// Russian roulette begins at this bounce. A path survives with a probability equal to the square root of its
+// largest throughput. In a closed box and under an environment map this had the least error for its time.
+// Compared were the throughput itself from bounces 1, 2 and 4, the square root from bounce 1, and no
+// roulette.
 const uint kFirstRoulette = 3u;
 const float kLeastSurvival = 0.05f;
 
 struct Path {
     vec3 origin;
-    float pdf;   // of dir, by the BSDF; kCertain from the camera and from deltas
-    vec3 dir;    // of unit length
-    uint bounce; // surfaces met so far
+    float pdf;   // of BSDF sampling for dir; kCertain for camera rays and deltas
+    vec3 dir;    // unit length
+    uint bounce; // number of surfaces met so far
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
-    uint channel;    // that a dispersive volume has chosen; kNoChannel: none yet
+    uint channel;    // colour channel that a dispersive volume has chosen; kNoChannel: none yet
     vec3 absorption; // of the volume that the path is in, per world unit
     bool isAlive;
-    RayCone cone; // with kFeatureMipmaps
+    RayCone cone; // used with kFeatureMipmaps
 };
 const uint kNoChannel = 3u;
 
-// A ray to a light, and what the path gains where nothing is in its way.
+// A ray to a light, and the radiance that the path gains if nothing occludes the light.
 struct ShadowRay {
     vec3 origin;
     float tMax;
-    vec3 dir; // to the light where tMax is 1, else of unit length
+    vec3 dir; // if tMax is 1, the vector to the light; otherwise of unit length
     bool isNeeded;
     vec3 gain;
 };
@@ -58,19 +59,19 @@ SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone) 
     return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, vec3(0.0f), true, cone);
 }
 
-// The path of one sample of the pixel.
+// Returns the first ray of a sample as a path.
 SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const PixelSample at) {
     const CameraRay view =
         sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
     return startPath(view.origin, view.dir, cameraCone(camera, view.dir));
 }
 
-// One sample of a pixel on its way.
+// One sample of a pixel while its path is traced.
 struct PathSample {
     PixelSample at;
     Path path;
     FirstHit first;
-    uint rays; // traced so far, shadow rays apart
+    uint rays; // traced so far, without shadow rays
     uint shadowRays;
     float steps; // of all rays
     float tests;
@@ -82,7 +83,7 @@ SHARED_FN PathSample startSample(const Camera camera, const PathSettings setting
     return PathSample(at, cameraPath(camera, x, y, at), missFirst(), 0u, 0u, 0.0f, 0.0f);
 }
 
-// The sample after `step`, which its path took at the triangle at distance `t`.
+// Returns the sample after `step` at a triangle, which its path met at distance `t`.
 SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, const PathStep step,
                                const float t, const uint triangleId) {
     PathSample next = arriving;
@@ -94,7 +95,7 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
     return next;
 }
 
-// The sums of a pixel with a sample whose path has ended.
+// Adds a sample whose path has ended to the pixel.
 SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
     FilmPixel added = addSample(sum, ended.path.radiance, ended.first);
     added.rays = sum.rays + ended.rays;
@@ -104,8 +105,8 @@ SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
     return added;
 }
 
-// The weight of light that the BSDF's direction found with density `own` and light sampling finds with
-// density `other`, 0 for never.
+// Returns the weight of light that BSDF sampling found with density `own` and that light sampling finds with
+// density `other`; 0 if it cannot find it.
 SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other) {
     const bool isOnlyWay = other == 0.0f || own >= kCertain;
     const bool byLights = (settings.strategies & kSampleLights) != 0u;
@@ -113,20 +114,23 @@ SHARED_FN float foundWeight(const PathSettings settings, const float own, const 
     return isOnlyWay || !byLights ? 1.0f : byBsdf ? powerHeuristic(own, other) : 0.0f;
 }
 
-// The same for light sampling; `own` is 0 for lights that rays do not hit.
+// Returns the weight of light that light sampling found with density `own`; 0 for lights that rays cannot
+// hit.
 SHARED_FN float sampledWeight(const PathSettings settings, const float own, const float other) {
     const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
     return own == 0.0f || !byBsdf ? 1.0f : powerHeuristic(own, other);
 }
 
-// --clamp: what one way to a light adds, unless the camera sees the light itself.
+// Limits the luminance of one contribution to settings.clampLuminance. It is not used for light that the
+// camera sees directly.
 SHARED_FN vec3 clampedGain(const PathSettings settings, const vec3 gain) {
     const float brightness = luminance(gain);
     const bool isOver = settings.clampLuminance > 0.0f && brightness > settings.clampLuminance;
     return isOver ? gain * (settings.clampLuminance / brightness) : gain;
 }
 
-// Whether the triangle that was hit is there for this path: of blended ones a part by chance.
+// Returns true if the triangle that was hit is opaque for this path. A blended one is opaque with a
+// probability equal to its coverage.
 SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle, const PixelSample at,
                        const uint dimension) {
     const Surface surface = loadSurface(SCENE triangle.triangleId);
@@ -136,7 +140,7 @@ SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord trian
     return part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part;
 }
 
-// The path meets nothing any more.
+// Ends a path whose ray hits no triangle.
 SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Path path) {
     const EnvironmentLight light = environmentLight(SCENE settings, path.dir);
     vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf);
@@ -154,7 +158,7 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     return ended;
 }
 
-// The colour of the refraction that a path takes through a dispersive volume.
+// Chooses the colour channel that a path keeps in dispersive volumes.
 SHARED_FN Path chooseChannel(const Path path, const MaterialRecord record, const PixelSample at) {
     Path chosen = path;
     if (hasFeature(kFeatureDispersion) && record.dispersion > 0.0f && path.channel == kNoChannel) {
@@ -181,7 +185,8 @@ SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, co
 
 SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f)); }
 
-// The path after the surface, in the direction that the BSDF draws; `width`: of its cone, there.
+// Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
+// cone at the surface.
 SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf bsdf,
                        const SurfacePoint point, const float width, const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
@@ -189,7 +194,8 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf 
     const float radianceScale = path.radianceScale * drawn.radianceScale;
     vec3 throughput = path.throughput * drawn.weight;
 
-    // Russian roulette. The radiance scale is no loss: what leaves the glass gets it back.
+    // Russian roulette ignores the radiance scale, which is not a loss: light that leaves the glass regains
+    // it.
     const float kept = largest(throughput) / radianceScale;
     const bool isRisked = path.bounce >= kFirstRoulette;
     const float survival = isRisked ? min(max(sqrt(kept), kLeastSurvival), 1.0f) : 1.0f;
@@ -214,7 +220,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf 
     return next;
 }
 
-// The path meets `triangle` at distance `t`, which `ray`, made of it, has hit.
+// Continues the path at `triangle`, which `ray` has hit at distance `t`. `ray` is made from the path.
 SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, const Path arriving,
                                const Ray ray, const float t, const TriangleRecord triangle,
                                const PixelSample at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the kernel `path` is told.
+// The input and the status of the kernel `path`.
 #ifndef METAMARCH_SHARED_PATH_INPUT_H
 #define METAMARCH_SHARED_PATH_INPUT_H
 #include "camera.h"
@@ -7,28 +7,28 @@
 
 SHARED_BEGIN
 
-// What is the same for all invocations.
+// The input that is the same for all invocations.
 struct PathInput {
     Camera camera;
     PathSettings settings;
 };
 
-// Pixels are worked on in tiles of kTilePixels (primary.h).
+// A workgroup has one tile of kTilePixels pixels (primary.h).
 struct PathPush {
     uint firstTile;
     uint tilesPerRow;
-    uint endSample; // each pixel takes its samples up to this one
-    uint bandTile;  // the film on the device starts with this one
-    uint isFresh;   // 1: whatever the film holds of these pixels is not theirs
+    uint endSample; // each pixel takes samples until it has this number
+    uint bandTile;  // the first tile of the film on the device
+    uint isFresh;   // 1 if these pixels have no samples yet; the film's old content is then ignored
 };
 
-// What a dispatch has done, all of its pixels together; zeros before it.
+// Sums over all pixels of a dispatch. The host sets them to zero before it.
 struct PathStatus {
-    // Pixels that want another dispatch: a driver that limits the turns of loops may end an invocation before
-    // it has come to endSample.
+    // Number of pixels with fewer than endSample samples: a driver that limits the turns of loops may end an
+    // invocation early. They need another dispatch.
     uint unfinished;
-    uint stuck; // those of them that came no further in this one
-    uint rays;  // shadow rays, too
+    uint stuck; // number of those pixels that gained no sample
+    uint rays;  // with shadow rays
     uint steps; // of all rays; rounded down for each pixel
     uint tests;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a path tracer is asked for, and what it needs to know of the scene as a whole.
+// The settings of the path tracer, and the facts about the whole scene that it needs.
 #ifndef METAMARCH_SHARED_PATH_SETTINGS_H
 #define METAMARCH_SHARED_PATH_SETTINGS_H
 #include "interop.h"
@@ -8,27 +8,27 @@ SHARED_BEGIN
 
 const uint kBindPathStatus = 44u;
 
-// PathSettings::strategies. Both, weighted against each other, by default; each alone converges to the same
-// picture, which tests use.
+// Bits of PathSettings::strategies. By default both are used, with multiple importance sampling. Each alone
+// converges to the same picture; tests rely on that.
 const uint kSampleLights = 1u;
 const uint kSampleBsdf = 2u;
 
 struct PathSettings {
-    vec3 background; // radiance from everywhere where there is no environment map
+    vec3 background; // radiance from all directions, if there is no environment map
     uint maxBounces; // direct light at the first hit is bounce 0
     uint seed;
     uint strategies;
-    uint lightCount; // emitters, punctual lights, and 1 for an environment map
+    uint lightCount; // number of emitters and punctual lights, plus 1 for an environment map
     uint emitterCount;
     uint punctualCount;
     uint environmentWidth;
     uint environmentHeight;
-    float environmentProbability; // that light sampling chooses it
-    float environmentCosine;      // of its rotation around y
+    float environmentProbability; // probability that light sampling chooses the map
+    float environmentCosine;      // of the map's rotation around y
     float environmentSine;
     float environmentScale;
-    float clampLuminance; // of what one bounce adds to a sample; 0: no limit
-    uint sunIndex;        // of the punctual light that rays see, a kLightDisc; kNoSun: none
+    float clampLuminance; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
+    uint sunIndex;        // index of the kLightDisc among the punctual lights, which rays see; kNoSun: none
     uint padding0;
     uint padding1;
     uint padding2;

@@ -44,8 +44,7 @@ struct Ray {
     float tNear;    // t at which the ray enters the lattice
     float tFar;     // t at which the ray leaves the lattice
 
-    // For the triangle test, which looks along the axis of dir's largest component: Woop, Benthin, Wald 2013,
-    // section 3.
+    // The triangle test looks along the axis of dir's largest component: Woop, Benthin, Wald 2013, section 3.
     uint lastAxis; // axis of that component
     vec3 shear;    // dir.x / dir.z, dir.y / dir.z, 1 / dir.z, where z stands for that axis
     float extent;  // longest side of the scene box, world units

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ray cones: the footprint of a ray in the scene. T. Akenine-Moeller, C. Crassin, J. Boksansky, L. Belcour,
 // A. Panteleev, O. Wright, "Improved Shader and Texture Level of Detail Using Ray Cones", JCGT 10(1), 2021.
-// Where the paper uses the longer axis of the ellipse in which a cone cuts a surface, we use its area: see
-// seenPart.
+// The paper uses the longer axis of the ellipse in which a cone cuts a surface; we use the area of the
+// ellipse: see seenPart.
 #ifndef METAMARCH_SHARED_RAY_CONE_H
 #define METAMARCH_SHARED_RAY_CONE_H
 #include "camera.h"

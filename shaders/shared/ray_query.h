@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Rays and hits as the kernel `rays` and the judges exchange them.
+// The format of rays and hits for the kernel `rays` and the judges.
 #ifndef METAMARCH_SHARED_RAY_QUERY_H
 #define METAMARCH_SHARED_RAY_QUERY_H
 #include "triangle.h"
 
 SHARED_BEGIN
 
-// One ray: a hit has tMin < t <= tMax, t in lengths of dir.
+// One ray. A hit has tMin < t <= tMax; the unit of t is the length of dir.
 struct RayQuery {
     vec3 origin;
     float tMin;
@@ -17,14 +17,14 @@ struct RayQuery {
 struct RayResult {
     float t;         // of the hit; meaningless for a miss
     uint triangleId; // kNoTriangle for a miss
-    uint steps;      // look-ups of the march, or nodes visited
-    uint tests;      // triangle tests
+    uint steps;      // number of steps or node visits
+    uint tests;      // number of triangle tests
 };
 
 const uint kNoRecord = 0xffffffffu; // the record of a ray that hits nothing
 
 struct RaysPush {
-    uint first; // of the rays to trace
+    uint first; // traces the rays [first, end)
     uint end;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lattice of uneven cells and the steps through it; the loops are in traversal/rectilinear_table.glsl and
+// The lattice of uneven cells and the steps through it. The loops are in traversal/rectilinear_table.glsl and
 // its CPU twin.
 #ifndef METAMARCH_SHARED_RECTILINEAR_H
 #define METAMARCH_SHARED_RECTILINEAR_H
@@ -7,9 +7,10 @@
 
 SHARED_BEGIN
 
-// Planes across each axis, in the space of the scene's lattice, and the cells between them. Of all planes in
-// one array each axis has resolution + 1, ascending, and kFarthest behind them, which ends every search. A
-// look-up per axis cuts the axis into buckets of equal length: where a search in the bucket begins.
+// Planes across each axis, in the space of the scene's lattice, and the cells between them. One array holds
+// the planes of all axes. Each axis has resolution + 1 planes in ascending order, followed by kFarthest,
+// which ends every search. A second array divides each axis into buckets of equal length; for each bucket it
+// holds the cell at which a search begins.
 struct Rectilinear {
     vec3 bucketsPerUnit;
     uint cellCount;
@@ -19,29 +20,30 @@ struct Rectilinear {
     uint padding1;
     uvec3 firstBucket;
     uint padding2;
-    uvec3 lastBucket; // of the axis, counted from its first
+    uvec3 lastBucket; // of each axis, counted from its first bucket
     uint padding3;
 };
 
-// The bucket of a position. Ascends with it, so planes of lower buckets lie before the position.
+// Returns the bucket of a position. It never decreases as the position grows, so planes of lower buckets are
+// before the position.
 SHARED_FN uint bucketAt(const float position, const float bucketsPerUnit, const uint lastBucket) {
-    // Clamped as a float: every value converts.
+    // Clamp before the conversion, because not every float fits an integer.
     const float bucket = floor(clamp(position * bucketsPerUnit, 0.0f, float(lastBucket)));
     return uint(bucket);
 }
 
-// Kept below kFarthest, where searches end.
+// Returns a position in lattice space. It stays below kFarthest, at which searches end.
 SHARED_FN vec3 positionAt(const Ray ray, const float t) {
     const vec3 position = min(ray.start + ray.stride * t, vec3(kMaxCoordinate));
     return position;
 }
 
 struct PlaneExit {
-    float t;   // where the ray leaves the box
-    uint axis; // whose plane it meets first, by ordered comparison
+    float t;   // at which the ray leaves the box
+    uint axis; // axis of the plane that the ray meets first, by ordered comparison
 };
 
-// Leaves a box by one of its three far planes.
+// Leaves a box through one of its three far planes.
 SHARED_FN PlaneExit firstOf(const Ray ray, const vec3 farPlanes) {
     const vec3 tPlane = (farPlanes - ray.start) * ray.invStride;
     const bool exitX = tPlane.x <= tPlane.y && tPlane.x <= tPlane.z;
@@ -50,9 +52,10 @@ SHARED_FN PlaneExit firstOf(const Ray ray, const vec3 farPlanes) {
     return PlaneExit(t, exitX ? 0u : exitY ? 1u : 2u);
 }
 
-// The cell behind the exit from the box [lo, hi) that `cell` lies in; `found` is where the ray's position
-// says it is. On the exit's axis the cell is set from the box's number and moves on by at least one; on the
-// others it never moves back: a position could, by a rounding, and the march would then not end.
+// Returns the cell behind the exit from the box [lo, hi), which contains `cell`. `found` is the cell that a
+// search found for the exit point. On the exit's axis, the cell is the one beyond the box, so it moves on by
+// at least one. On the other axes it never moves back. A position could move back because of rounding, and
+// then the march would not end.
 SHARED_FN ivec3 cellBehind(const Ray ray, const ivec3 lo, const ivec3 hi, const ivec3 cell, const ivec3 found,
                            const uint exitAxis) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));

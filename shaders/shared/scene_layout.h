@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scene buffers as both sides see them: the host writes these structs, the shaders and the judges read them.
-// A vec3 is always followed by one 4-byte scalar, so std430, scalar and C++ agree on every offset.
+// The layout of scene buffers: the host writes these structs, the shaders and the judges read them. A vec3 is
+// always followed by one 4-byte scalar, so std430, scalar and C++ agree on every offset.
 #ifndef METAMARCH_SHARED_SCENE_LAYOUT_H
 #define METAMARCH_SHARED_SCENE_LAYOUT_H
 #include "interop.h"
@@ -8,17 +8,18 @@
 SHARED_BEGIN
 
 const uint kNoTriangle = 0xffffffffu;
-const uint kMaxLatticeResolution = 1023u; // per axis: a packed corner holds 10 bits per axis, hi exclusive
+// The largest resolution per axis: packCell has 10 bits per axis, and a box's `hi` is exclusive.
+const uint kMaxLatticeResolution = 1023u;
 
-// Binding numbers of the buffers over a scene (set 0). A kernel has those that its traversal declares.
+// Binding numbers of the scene's buffers (set 0). A kernel has those that it and its traversal declare.
 const uint kBindLattice = 0u; // uniform
 const uint kBindLeaves = 1u;
 const uint kBindTable = 2u;
 const uint kBindMaterialOfTriangle = 3u;
 const uint kBindMaterials = 4u;
-const uint kBindCamera = 5u;    // of kernels that have one
-const uint kBindInput = 6u;     // what a kernel reads besides the scene
-const uint kBindOutput = 7u;    // what it writes
+const uint kBindCamera = 5u;
+const uint kBindInput = 6u;     // input of a kernel besides the scene
+const uint kBindOutput = 7u;    // output of a kernel
 const uint kBindTriangles = 8u; // the first of kTriangleChunks bindings
 const uint kBindKdNodes = 16u;
 const uint kBindKdParents = 17u;
@@ -26,33 +27,33 @@ const uint kBindKdRopes = 18u;
 const uint kBindBvhNodes = 19u;
 const uint kBindGrid = 20u; // uniform
 const uint kBindGridCells = 21u;
-const uint kBindKnownRecords = 22u; // kernel floor: the record that each ray hits
-const uint kBindBoxes = 23u;        // ray_query: the driver's hierarchy over the records' boxes
+const uint kBindKnownRecords = 22u; // kernel `floor`: the record that each ray hits
+const uint kBindBoxes = 23u;        // traversal `ray_query`: the driver's hierarchy over the records' boxes
 const uint kBindRectilinear = 24u;  // uniform
 const uint kBindPlanes = 25u;
 const uint kBindBuckets = 26u;
 
-// The triangle records are the largest array of a scene. Where it passes a device's maxStorageBufferRange it
-// is cut into up to this many buffers of equal size.
+// The triangle records are the largest array of a scene. If it exceeds a device's maxStorageBufferRange, it
+// is cut into up to this number of buffers of equal size.
 const uint kTriangleChunks = 8u;
 
 // Specialization constants.
-const uint kSpecTriangleChunks = 0u;    // chunks in use, 1..kTriangleChunks
-const uint kSpecTrianglesPerChunk = 1u; // records in each chunk but the last
-const uint kSpecAnyHit = 2u;            // kernel rays: 1 asks for any hit, 0 for the closest
+const uint kSpecTriangleChunks = 0u;    // number of chunks in use, 1..kTriangleChunks
+const uint kSpecTrianglesPerChunk = 1u; // number of records in each chunk but the last
+const uint kSpecAnyHit = 2u;            // kernel `rays`: 1 finds any hit, 0 the closest
 
-// The uniform lattice over the scene box. Geometry lies inside, at least kBoxPadding from every face.
+// The uniform lattice over the scene box. Geometry is inside, at least kBoxPadding from every face.
 struct Lattice {
     vec3 origin;        // world space
     float extent;       // longest side of the lattice in world units
     vec3 cellsPerUnit;  // world to lattice space: (p - origin) * cellsPerUnit
     uint cellCount;     // product of the resolution
     uvec3 resolution;   // 1..kMaxLatticeResolution
-    uint triangleCount; // without degenerate ones
+    uint triangleCount; // without degenerate triangles
 };
 
-// One leaf: the box of whole cells [lo, hi) a ray may cross once the leaf is tested, and its triangles, which
-// lie together in leaf order.
+// One leaf: the box of whole cells [lo, hi) that a ray may cross once the leaf is tested, and its triangle
+// records, which are adjacent in memory.
 struct Leaf {
     uint lo; // packCell
     uint hi; // packCell, exclusive
@@ -60,8 +61,8 @@ struct Leaf {
     uint triangleCount;
 };
 
-// One triangle as every traversal reads it, in world space. Corners as vec3 and not word by word: lavapipe
-// pays for the load, not for its size.
+// One triangle as every traversal reads it, in world space. Corners are vec3 and not single words, because on
+// lavapipe each load costs the same, whatever its size.
 struct TriangleRecord {
     vec3 v0;
     uint triangleId;
@@ -71,7 +72,7 @@ struct TriangleRecord {
     uint padding1;
 };
 
-// What shading reads of a material.
+// The part of a material that the integrator `primary` reads.
 struct ShadingMaterial {
     vec3 baseColor; // linear
     float alpha;

@@ -10,7 +10,8 @@
 
 SHARED_BEGIN
 
-// The tables are stored one after another: of all lights, of the map's rows, of the columns of each row.
+// The tables are stored one after another: one for all lights, one for the map's rows, and one for the
+// columns of each row.
 SHARED_FN uint firstRow(const PathSettings settings) { return settings.lightCount; }
 
 SHARED_FN uint firstColumn(const PathSettings settings, const uint row) {

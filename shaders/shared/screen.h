@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From a film to the bytes of a screen in two steps: `resolve` makes pictures with 8 bits per channel, and
-// `present` composites such pictures at the screen's size.
+// The kernels that turn films into the bytes of a screen: `resolve` makes pictures with 8 bits per channel,
+// and `present` composites such pictures at the screen's size.
 #ifndef METAMARCH_SHARED_SCREEN_H
 #define METAMARCH_SHARED_SCREEN_H
 #include "interop.h"

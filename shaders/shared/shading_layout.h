@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What shading reads of a scene, as both sides see it: surfaces, materials, textures, lights.
+// The layout of the buffers that the path tracer reads: surfaces, materials, textures, lights.
 #ifndef METAMARCH_SHARED_SHADING_LAYOUT_H
 #define METAMARCH_SHARED_SHADING_LAYOUT_H
 #include "interop.h"
 
-// The estimator is written once and reads the scene through functions named load…: in GLSL they read the
-// bound buffers (lib/shading.glsl), in C++ a ShadingScene that is handed on as the first argument.
+// The estimator is written once and reads the scene through functions named load…. In GLSL they read the
+// bound buffers (lib/shading.glsl), in C++ a ShadingScene that is passed as the first argument.
 #ifdef __cplusplus
 #define SCENE_PARAMETER const ShadingScene &scene,
 #define SCENE scene,
@@ -16,7 +16,7 @@
 
 SHARED_BEGIN
 
-// Binding numbers (set 0) beside those of scene_layout.h.
+// Binding numbers (set 0), in addition to those of scene_layout.h.
 const uint kBindSurfaces = 30u;
 const uint kBindVertices = 31u;
 const uint kBindColors = 32u;
@@ -25,16 +25,17 @@ const uint kBindMaterialRecords = 34u;
 const uint kBindTextures = 35u;
 const uint kBindEmitters = 36u;
 const uint kBindLights = 37u;
-const uint kBindTables = 38u; // of TableEntries
+const uint kBindTables = 38u; // TableEntry
 const uint kBindEnvironment = 39u;
 const uint kBindTexels = 40u; // the first of kTexelChunks bindings
 
-// Texels are the second large array of a scene, cut as the triangle records are. No image crosses a cut.
+// Texels are the second large array of a scene. Like the triangle records, they are cut into chunks; each
+// image is in one chunk.
 const uint kTexelChunks = 4u;
 
 const uint kSpecFeatures = 3u; // specialization constant: bits of features.h
 
-// What a triangle is beside its corners: indices into the vertex arrays and the materials.
+// A triangle's indices into the arrays of vertices and materials.
 struct Surface {
     uint vertex0;
     uint vertex1;
@@ -43,8 +44,8 @@ struct Surface {
 };
 
 struct Vertex {
-    vec3 normal; // zero: the triangle's own counts
-    float u0;    // texture coordinates, two sets
+    vec3 normal; // zero: use the triangle's geometric normal
+    float u0;    // two sets of texture coordinates
     float v0;
     float u1;
     float v1;
@@ -53,66 +54,69 @@ struct Vertex {
 
 const uint kNoTextureRecord = 0xffffffffu;
 
-// MaterialRecord::flags, beside those of SurfaceMaterial.
-const uint kMaterialDoubleSided = 4u; // emits to both sides
+// Bits of MaterialRecord::flags, in addition to those of SurfaceMaterial::flags.
+const uint kMaterialDoubleSided = 4u; // emits on both sides
 const uint kMaterialUnlit = 8u;
 const uint kMaterialMask = 16u;
 const uint kMaterialBlend = 32u;
 
-// Factors and textures of a Material (src/scene/material.h), as material_rows.inc lists them.
+// The factors and textures of a Material (src/scene/material.h); material_rows.inc lists them.
 struct MaterialRecord {
 #define PARAMETER(type, name, value) type name;
 #define TEXTURE(name, value) uint name;
 #include "material_rows.inc"
 };
 
-// In a MaterialRecord, of four words each.
+// The number of rows in a MaterialRecord; a row has four words.
 #define MATERIAL_ROW(condition, X, Y, Z, W) +1u
 #define MATERIAL_VECTOR_ROW(condition, XYZ, W) +1u
 const uint kMaterialRows = 0u
 #include "material_rows.inc"
     ;
 
-// TextureRecord::flags.
-const uint kTextureWrapMask = 3u; // of s in bits 0 and 1, of t in bits 2 and 3
+// Bits of TextureUse::flags.
+const uint kTextureWrapMask = 3u; // the wrap mode of s is in bits 0 and 1, that of t in bits 2 and 3
 const uint kTextureWrapTShift = 2u;
 const uint kWrapRepeat = 0u;
 const uint kWrapMirror = 1u;
 const uint kWrapClamp = 2u;
-const uint kTextureNearest = 16u;         // where it is magnified; else bilinear
-const uint kTextureMinifiedNearest = 32u; // where it is minified
-const uint kTextureBetweenLevels = 64u;   // minified: of the two nearest levels in part; else of the nearest
-const uint kTextureSecondSet = 128u;      // of texture coordinates
-const uint kTextureLastLevelShift = 8u;   // the coarsest level; 0: there is but the full-size one
+const uint kTextureNearest = 16u;         // nearest filter when magnified; otherwise bilinear
+const uint kTextureMinifiedNearest = 32u; // nearest filter when minified; otherwise bilinear
+const uint kTextureBetweenLevels = 64u;   // when minified, blend two levels; otherwise use the nearest level
+const uint kTextureSecondSet = 128u;      // use the second set of texture coordinates
+const uint kTextureLastLevelShift =
+    8u; // the bits above hold the coarsest level; 0: only the full size exists
 
 // One use of a texture by a material.
 struct TextureUse {
-    vec3 rowU;       // of KHR_texture_transform: dot(rowU, (u, v, 1))
-    float unitLevel; // log2 of the texels along the side of a unit square of texture coordinates
+    vec3 rowU;       // row of KHR_texture_transform's matrix: the new u is dot(rowU, (u, v, 1))
+    float unitLevel; // log2 of the number of texels along the side of a unit square of texture coordinates
     vec3 rowV;
     uint flags;
 };
 
-// TextureLevel::format.
+// Bits of TextureLevel::format.
 const uint kTexelsSrgb = 1u;
-const uint kTexelsDeep = 2u; // two words a texel, of halves; else one, of bytes
+const uint kTexelsDeep = 2u; // a texel has two words of half floats; otherwise one word of bytes
 const uint kTexelsChunkShift = 2u;
 
-// The texels of one level of a texture, of which 0 is the full size and each further one half of the last.
+// The texels of one level of a texture. Level 0 is the full size; each further level has half the size of the
+// one before.
 struct TextureLevel {
-    uint firstWord; // in its chunk
+    uint firstWord; // index in its chunk
     uint width;
     uint height;
     uint format;
 };
 
-// A use and its level 0. Level l is in the l-th record after it, whose `use` says nothing.
+// A use of a texture and its level 0. Level l is in the l-th record after it; the `use` of that record is
+// unused.
 struct TextureRecord {
     TextureLevel level;
     TextureUse use;
 };
 
-// A triangle that light sampling knows.
+// A triangle that light sampling can choose.
 struct Emitter {
     vec3 v0;
     uint triangleId;

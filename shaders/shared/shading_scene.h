@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the path tracer reads of a scene, in the layout that crosses the bus, and how the CPU reads it.
+// The data of a scene that the path tracer reads, in the layout of the device's buffers, and the functions
+// with which the CPU reads it.
 #pragma once
 #include "features.h"
 #include "light.h"
@@ -13,7 +14,7 @@
 namespace metamarch {
 
 struct ShadingScene {
-    std::uint32_t features = 0;    // kFeature… that the scene uses
+    std::uint32_t features = 0;    // kFeature… bits that the scene uses
     std::vector<Surface> surfaces; // [triangleId]
     std::vector<Vertex> vertices;
     std::vector<glm::vec4> colors;   // [vertex], with kFeatureColors
@@ -23,13 +24,14 @@ struct ShadingScene {
     std::array<std::vector<std::uint32_t>, kTexelChunks> texels;
     std::vector<Emitter> emitters;
     std::vector<LightRecord> lights;
-    std::vector<glm::vec4> environment; // rgb, of the map, with kFeatureEnvironment
-    // Of emitters, lights and environment map together, of the map's rows, of the columns of each row.
+    std::vector<glm::vec4> environment; // rgb of the map's texels, with kFeatureEnvironment
+    // One table for emitters, lights and environment map together, one for the map's rows, and one for the
+    // columns of each row.
     std::vector<TableEntry> tables;
-    PathSettings settings{}; // what of it the scene decides
+    PathSettings settings{}; // the scene sets the members about lights
 };
 
-// The CPU's counterparts of shaders/lib/shading.glsl.
+// The CPU's counterparts of the functions in shaders/lib/shading.glsl.
 inline bool hasFeature(const ShadingScene& scene, const uint feature) {
     return (scene.features & feature) != 0u;
 }

@@ -2,8 +2,8 @@
 // Random numbers as a function of pixel, sample, dimension and seed. There is no state, so every tile, crop,
 // sample range and device draws the same samples.
 //
-// Each dimension has its own independent set of points with one or two numbers each: the first two dimensions
-// of the Sobol sequence, with the points shuffled and each coordinate Owen-scrambled. Among any 2^k samples
+// Each dimension has its own independent set of points with one or two numbers each. The points are the first
+// two dimensions of the Sobol sequence, shuffled, with each coordinate Owen-scrambled. Among any 2^k samples
 // of a pixel that start at a multiple of 2^k, every elementary interval of area 2^-k contains one point. B.
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is from N. Vegdahl, "Building a
 // Better LK Hash", 2021.

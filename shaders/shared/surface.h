@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shading knows of the point that a ray hit: the glTF 2.0 material with all textures looked up, and the
-// directions of the surface. It is the input of bsdf.h.
+// The input of bsdf.h at the point that a ray hit: the glTF 2.0 material with all textures looked up, and the
+// directions of the surface.
 #ifndef METAMARCH_SHARED_SURFACE_H
 #define METAMARCH_SHARED_SURFACE_H
 #include "math.h"

@@ -72,7 +72,8 @@ SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureLevel level, const int x, co
     return vec4(linear, float(word >> 24u) / 255.0f);
 }
 
-// Where a surface looks up its textures: two sets of texture coordinates, and the footprint in each.
+// The place at which a surface looks up its textures: two sets of texture coordinates, and the footprint in
+// each.
 struct TexturePoint {
     vec2 first;
     vec2 second;

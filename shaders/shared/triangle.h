@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The triangle test of every traversal, on both sides.
+// The triangle test of every traversal, on host and device.
 #ifndef METAMARCH_SHARED_TRIANGLE_H
 #define METAMARCH_SHARED_TRIANGLE_H
 #include "ray.h"
@@ -11,16 +11,16 @@ struct Hit {
     uint triangleId; // kNoTriangle for a miss
 };
 
-// In place of a count of steps: the driver ended the traversal before it was done.
+// Replaces the number of steps if the driver ended the traversal before it was done.
 const uint kCutShort = 0xffffffffu;
 
 const float kNoHit = -1.0f; // every real t is positive
 
-// The upper 12 of the 24 bits of a significand. Cutting them off by a mask is exact, as rounding them off is,
-// and needs one instruction in place of three.
+// Returns x with the upper 12 of the 24 bits of its significand. A mask is as exact as rounding and needs one
+// instruction instead of three.
 SHARED_FN float upperHalf(const float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u); }
 
-// The rounding error of the product p = a * b, exactly. T. J. Dekker, "A floating-point technique for
+// Returns the exact rounding error of the product p = a * b. T. J. Dekker, "A floating-point technique for
 // extending the available precision", Numerische Mathematik 18, 1971.
 SHARED_FN float productError(const float a, const float b, const float p) {
     const float aHigh = upperHalf(a);
@@ -31,7 +31,7 @@ SHARED_FN float productError(const float a, const float b, const float p) {
     return error;
 }
 
-// a * b - c * d within a few ulps of the result, also where the two products all but cancel.
+// Returns a * b - c * d within a few ulps of the result, even if the two products nearly cancel.
 SHARED_FN float differenceOfProducts(const float a, const float b, const float c, const float d) {
     const float ab = a * b;
     const float cd = c * d;
@@ -39,11 +39,11 @@ SHARED_FN float differenceOfProducts(const float a, const float b, const float c
     return difference;
 }
 
-// As integers the bits of floats without their sign are in the order of the floats. Drivers spend one
-// instruction on an integer's max and three on a float's, which must look after NaN.
+// Returns the bits of |x|, whose order as integers is that of the floats. A max of integers takes one
+// instruction, a max of floats three, because it must treat NaN.
 SHARED_FN uint magnitudeBits(const float x) { return floatBitsToUint(x) & 0x7fffffffu; }
 
-// Whether one is negative and another positive; zeros of either sign are neither.
+// Returns true if one number is negative and another is positive. Zeros of either sign are neither.
 SHARED_FN bool haveBothSigns(const float u, const float v, const float w) {
     const uint kMinusZero = 0x80000000u;
     const uint largestBits = max(max(floatBitsToUint(u), floatBitsToUint(v)), floatBitsToUint(w));
@@ -51,24 +51,25 @@ SHARED_FN bool haveBothSigns(const float u, const float v, const float w) {
     return largestBits > kMinusZero && largestInt > 0;
 }
 
-// A corner as the ray sees it: moved across the ray by the shear; z is its depth.
+// Shears a corner so that the ray becomes the z axis; z is the corner's depth.
 SHARED_FN vec3 shearCorner(const Ray ray, const vec3 corner) {
     const vec3 p = inOrder(corner - ray.origin, ray.lastAxis);
     const vec3 sheared = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, p.z);
     return sheared;
 }
 
-// Where the ray hits the triangle, or kNoHit.
+// Returns the t at which the ray hits the triangle, or kNoHit.
 // S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
 //
-// Watertight: shearing moves each vertex to a place of its own in the plane, the same for every triangle that
-// shares it. The sign of a rounded a * b - c * d is never the wrong one, as rounding is monotone; it can only
-// be zero too often, and zero counts as inside. So of two triangles at an edge at least one is hit.
+// The test is watertight: the shear moves a vertex to the same point for every triangle that shares it. The
+// sign of a rounded a * b - c * d is never wrong, because rounding is monotone. It may be zero where the
+// exact result is not, but zero counts as inside. So of two triangles that share an edge, at least one is
+// hit.
 //
-// The hit lies at the triangle: the weights U, V, W are all of one sign, so t lies between the depths of the
-// three vertices, and the ray's point at t is off the triangle by at most about 9 ulps of L^3 / |det|, L
-// being the largest coordinate of the sheared vertices. Where that could pass 9 ulps of the scene box, the
-// weights are computed again without cancellation. src/accel/README.md says who relies on it.
+// The hit is near the triangle: the weights U, V, W have the same sign, so t lies between the depths of the
+// three vertices. The ray's point at t is at most about 9 ulps of L^3 / |det| away from the triangle, where L
+// is the largest coordinate of the sheared vertices. If that could exceed 9 ulps of the scene box, the
+// weights are computed again without cancellation. src/accel/README.md says who relies on this.
 SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, const vec3 v2) {
     const vec3 a = shearCorner(ray, v0);
     const vec3 b = shearCorner(ray, v1);
@@ -94,7 +95,7 @@ SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, c
         det = u + v + w;
     }
     if (det == 0.0f) {
-        return kNoHit; // seen edge-on: its neighbours cover what it covers
+        return kNoHit; // seen edge-on; its neighbours cover the same area
     }
 
     const float depth = (u * a.z + v * b.z + w * c.z) * ray.shear.z;
@@ -102,11 +103,12 @@ SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, c
     return t > ray.tMin ? t : kNoHit;
 }
 
-// A triangle whose normal is smaller than this in every component has no direction in floats: it is
-// degenerate, and kept out of every structure.
+// A triangle whose scaledNormal is smaller than this in every component is degenerate: floats cannot hold the
+// direction of its normal. It is left out of every structure.
 const float kSmallestNormal = 7.88860905221011805e-31f; // 2^-100
 
-// The geometric normal times twice the area, towards the side from which v0, v1, v2 run counter-clockwise.
+// Returns the geometric normal times twice the area. It is on the side from which v0, v1, v2 are in
+// counter-clockwise order.
 SHARED_FN vec3 scaledNormal(const vec3 v0, const vec3 v1, const vec3 v2) {
     const vec3 e1 = v1 - v0;
     const vec3 e2 = v2 - v0;
@@ -114,8 +116,8 @@ SHARED_FN vec3 scaledNormal(const vec3 v0, const vec3 v1, const vec3 v2) {
     return normal;
 }
 
-// The order of hits: the nearer one, of two at the same t the one with the smaller id. So the closest hit
-// does not depend on the order in which triangles are tested.
+// Orders hits by t, and hits with the same t by triangle id. So the closest hit does not depend on the order
+// in which triangles are tested.
 SHARED_FN bool isCloser(const float t, const uint triangleId, const Hit best) {
     return t < best.t || (t == best.t && triangleId < best.triangleId);
 }

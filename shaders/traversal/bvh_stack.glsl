@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Walks a bounding volume hierarchy, the nearer child first, and keeps the farther ones on a stack.
 //
-// A node holds the boxes of both children, so that one visit decides on two: T. Aila, S. Laine,
+// A node contains the boxes of both children, so that one visit tests two boxes: T. Aila, S. Laine,
 // "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009. The builder splits by binned SAH
 // (accel/bvh.h).
 //
-// Why it ends: each turn goes one node down or takes one off the stack, and no node is put there twice. A
-// path has at most kMaxBvhDepth edges and leaves at most one pending child per edge: the stack cannot
-// overflow.
+// Why it ends: each turn goes one node down or pops one from the stack, and no node is pushed twice. A path
+// has at most kMaxBvhDepth edges and leaves at most one pending child per edge, so the stack cannot overflow.
 //
-// What it costs: 64 bytes for each inner node visited, and the triangles of each leaf; leaves have no record
-// of their own. A stack of kMaxBvhDepth * 8 bytes per ray, in private memory.
+// Cost: 64 bytes for each inner node visited, and the triangles of each leaf. Leaves have no record of their
+// own. The stack takes kMaxBvhDepth * 8 bytes per ray, in private memory.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
-// So a box that begins exactly at the best t is still opened.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter. So a box that begins exactly at the best t is still opened.
 
 #include "lib/bvh.glsl"
 
@@ -22,7 +21,7 @@ struct Pending {
     float tNear;
 };
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
@@ -32,7 +31,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     uint stackSize = 0u;
     uint child = 0u;
 
-    // Holds here: every triangle in a box that the ray meets, not yet tested, is below child or on the stack.
+    // Invariant: every untested triangle in a box that the ray meets is below `child` or on the stack.
     while (true) {
         bool missed = false;
         while (!missed && !isBvhLeaf(child)) {
@@ -53,14 +52,14 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         if (!missed) {
             ++trace.steps;
             trace.expectedTests +=
-                isBvhLeaf(child) ? 0u : 1u; // not finished, where the way down was cut short
+                isBvhLeaf(child) ? 0u : 1u; // not finished if the driver ended the way down
             testTriangles(ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
             if (isDone(trace, anyHit)) {
                 finish(trace);
                 return;
             }
         }
-        // Take the next one whose box begins before the best hit.
+        // Pop the next node whose box begins before the best hit.
         float tNear;
         do {
             if (stackSize == 0u) {

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Walks the kd-tree without a stack: after each leaf it starts again at the root, further along the ray.
+// Walks the kd-tree without a stack: after each leaf it restarts at the root, further along the ray.
 //
 // T. Foley, J. Sugerman, "KD-Tree Acceleration Structures for a GPU Raytracer", Graphics Hardware 2005.
 //
 // Why it ends: a descent ends in a leaf at tFar > tNear, because a plane at tSplit <= tNear sends it to the
-// far child; so tNear grows from leaf to leaf, through the finitely many distances of the tree's planes.
+// far child. So tNear grows from leaf to leaf through the finitely many distances of the tree's planes.
 //
-// What it costs: the whole path from the root for every leaf, 8 bytes a node; a 16-byte leaf and its
-// triangles for each leaf. No memory per ray.
+// Cost: for every leaf the whole path from the root, 8 bytes per node; a 16-byte leaf and its triangles for
+// each leaf. No memory per ray.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter.
 
 #include "lib/kd_tree.glsl"
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
@@ -21,7 +22,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     }
     float tNear = ray.tNear;
 
-    // Holds here: every triangle that the ray meets before tNear has been tested.
+    // Invariant: every triangle that the ray meets before tNear has been tested.
     while (true) {
         uint nodeId = 0u;
         float tFar = ray.tFar;
@@ -37,7 +38,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
         const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
             finish(trace);
             return;

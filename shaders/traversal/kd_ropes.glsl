@@ -3,20 +3,21 @@
 //
 // S. Popov, J. Guenther, H.-P. Seidel, P. Slusallek, "Stackless KD-Tree Traversal for High Performance GPU
 // Ray Tracing", Eurographics 2007; ropes after V. Havran, J. Bittner, J. Zara, "Ray Tracing with Rope Trees",
-// SCCG 1998. The way out of a leaf and the cell behind it are those of the march (leaveBox), and the walk
-// down from the rope's node compares integers.
+// SCCG 1998. As in the march, leaveBox finds the exit of a leaf and the cell behind it. The walk down from
+// the rope's node compares integers.
 //
-// Why it ends: leaveBox moves the cell on by at least one in one axis and never back in the others, and a
-// walk down ends with the tree.
+// Why it ends: leaveBox moves the cell on by at least one on one axis and never back on the others, and a
+// walk down ends at a leaf.
 //
-// What it costs: one 4-byte rope per leaf after the first, 8 bytes for each inner node and leaf below it, a
-// 16-byte leaf and its triangles. No memory per ray; six ropes per leaf.
+// Cost: one 4-byte rope per leaf after the first, 8 bytes for each inner node and leaf below the rope's node,
+// a 16-byte leaf and its triangles. No memory per ray. The structure has six ropes per leaf.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter.
 
 #include "lib/kd_ropes.glsl"
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
@@ -25,8 +26,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution));
     uint nodeId = 0u;
 
-    // Holds here: the box of nodeId holds cell, and every triangle that the ray meets before cell has been
-    // tested.
+    // Invariant: the box of nodeId contains `cell`, and every triangle that the ray meets before `cell` has
+    // been tested.
     while (true) {
         ++trace.steps;
         KdNode node = loadKdNode(nodeId);
@@ -42,7 +43,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);
         const BoxExit next = leaveBox(ray, lo, hi, cell);
-        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= next.t) {
             finish(trace);
             return;

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Walks the kd-tree with a stack of four entries and restarts, pushed down, when it has lost one.
+// Walks the kd-tree with a stack of four entries. When the stack is empty, it restarts like kd_push_down.
 //
 // D. R. Horn, J. Sugerman, M. Houston, P. Hanrahan, "Interactive k-D Tree GPU Raytracing", I3D 2007. The
-// stack lives in two vectors and moves by swizzles, so no memory is addressed: pushing onto a full one drops
-// the oldest entry.
+// stack is in two vectors that swizzles shift, so it needs no memory. A push onto a full stack drops the
+// oldest entry.
 //
-// Why it ends: an entry begins at tFar, where the leaf before it ended, and a restart does too; so tNear
-// grows from leaf to leaf through the finitely many distances of the tree's planes.
+// Why it ends: both an entry and a restart begin at tFar, where the leaf before ended. So tNear grows from
+// leaf to leaf through the finitely many distances of the tree's planes.
 //
-// What it costs: an 8-byte node for each inner node and leaf visited, restarts included; a 16-byte leaf and
-// its triangles for each leaf. 32 bytes of stack per ray, in registers.
+// Cost: an 8-byte node for each inner node and leaf visited, with those after restarts; a 16-byte leaf and
+// its triangles for each leaf. The stack takes 32 bytes per ray, in registers.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter.
 
 #include "lib/kd_tree.glsl"
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
         return;
     }
-    uvec4 stackNodeId = uvec4(0u); // the top in x
+    uvec4 stackNodeId = uvec4(0u); // x is the top
     vec4 stackFar = vec4(0.0);
     uint stackSize = 0u;
     uint restartId = 0u;
@@ -30,9 +31,9 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     float tNear = ray.tNear;
     float tFar = ray.tFar;
 
-    // Holds here: every triangle that the ray meets before tNear has been tested; the box of restartId holds
-    // the ray from tNear to its end; the stack holds what lies behind tFar, nearest on top, but for entries
-    // that were dropped from its other end.
+    // Invariant: every triangle that the ray meets before tNear has been tested; the box of restartId
+    // contains the ray from tNear to its end; the stack holds the nodes behind tFar, the nearest on top,
+    // without those that were dropped from its other end.
     while (true) {
         ++trace.steps;
         KdNode node = loadKdNode(nodeId);
@@ -53,7 +54,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
         const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
             finish(trace);
             return;

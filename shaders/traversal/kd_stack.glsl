@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Walks the kd-tree front to back and keeps the far children for later on a stack.
+// Walks the kd-tree front to back and keeps the far children on a stack.
 //
-// The classic: M. Pharr, G. Humphreys, "Physically Based Rendering", 2004, section 4.4; figures 3 and 4 of
-// Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table", whose baseline it is.
+// This is the classic traversal: M. Pharr, G. Humphreys, "Physically Based Rendering", 2004, section 4.4. It
+// is the baseline of Seo, Kang, Yang, "An Effective Ray Tracing Algorithm Using a Meta Table" (figures 3 and
+// 4).
 //
-// Why it ends: each turn goes one node down or takes one off the stack, and no node is put there twice. A
-// path has at most kMaxTreeDepth edges and leaves at most one pending child per edge: the stack cannot
+// Why it ends: each turn goes one node down or pops one from the stack, and no node is pushed twice. A path
+// has at most kMaxTreeDepth edges and leaves at most one pending child per edge, so the stack cannot
 // overflow.
 //
-// What it costs: an 8-byte node for each inner node and leaf visited, a 16-byte leaf and its triangles for
-// each leaf. A stack of kMaxTreeDepth * 8 bytes per ray, in private memory.
+// Cost: an 8-byte node for each inner node and leaf visited, a 16-byte leaf and its triangles for each leaf.
+// The stack takes kMaxTreeDepth * 8 bytes per ray, in private memory.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter.
 
 #include "lib/kd_tree.glsl"
 
@@ -20,7 +22,7 @@ struct Pending {
     float tFar;
 };
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
@@ -32,8 +34,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     float tNear = ray.tNear;
     float tFar = ray.tFar;
 
-    // Holds here: every triangle that the ray meets before tNear has been tested; the stack holds what lies
-    // behind tFar, nearest on top.
+    // Invariant: every triangle that the ray meets before tNear has been tested; the stack holds the nodes
+    // behind tFar, the nearest on top.
     while (true) {
         ++trace.steps;
         KdNode node = loadKdNode(nodeId);
@@ -51,12 +53,12 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
         const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= tFar || stackSize == 0u) {
             finish(trace);
             return;
         }
-        // The top begins where the leaf ended.
+        // The node on top begins where the leaf ended.
         --stackSize;
         nodeId = stack[stackSize].nodeId;
         tNear = tFar;

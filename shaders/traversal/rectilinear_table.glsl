@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Marches a meta table over uneven cells: those between the planes of a kd-tree that lie on no lattice.
+// Marches through a meta table over uneven cells: the cells between the planes of a kd-tree that are not on a
+// lattice.
 //
-// The third way to a table, beside the two methods of Seo, Kang, Yang, "An Effective Ray Tracing Algorithm
-// Using a Meta Table": the planes stay where the tree wants them, and a fine look-up along each axis leads
-// from a position to the cell. The march is that of traversal/meta_table.glsl, its steps are in numbers of
-// planes.
+// This is a third kind of table, besides the two of Seo, Kang, Yang, "An Effective Ray Tracing Algorithm
+// Using a Meta Table": the planes stay where the tree has put them, and buckets along each axis lead from a
+// position to its cell. The march is that of traversal/meta_table.glsl, but cells are counted by planes.
 //
-// Why it ends: cellBehind moves the cell on by at least one in one axis and never back in the others, and the
-// loop ends outside the lattice: at most the sum of the three resolutions in steps, whatever the floats. A
-// search along an axis ends at the last plane.
+// Why it ends: cellBehind moves the cell on by at least one on one axis and never back on the others, and the
+// loop ends outside the lattice. So there are at most as many steps as the sum of the three resolutions,
+// whatever the rounding errors. A search along an axis ends at the last plane.
 //
-// What it costs: per step one or two 4-byte table entries, one 16-byte leaf and three planes, and for the
-// cell behind three look-ups, each with one plane and those between it and the position; plus the leaf's
-// triangles. No memory per ray.
+// Cost per step: one or two 4-byte table entries, one 16-byte leaf, three planes, and the leaf's triangles.
+// The search for the next cell takes on each axis one bucket, one plane, and the planes between that and the
+// position. No memory per ray.
 //
-// Ties: of equal t the smaller triangle id stays (isCloser), so the order of tests does not matter.
+// Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
+// does not matter.
 
 #include "lib/rectilinear_table.glsl"
 #include "shared/march.h"
 
-// Finds the closest hit, or any hit when anyHit (folded at compile time); `trace` comes from startTrace.
+// Finds the closest hit or, if anyHit (a compile-time constant), any hit. `trace` comes from startTrace.
 void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     if (ray.tMax < ray.tMin) {
         finish(trace);
@@ -29,7 +30,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     ivec3 cell = clamp(searchCell(positionAt(ray, ray.tNear)), ivec3(0), ivec3(resolution) - 1);
 
-    // Holds here: cell lies in the lattice, and every triangle that the ray meets before it has been tested.
+    // Invariant: `cell` is in the lattice, and every triangle that the ray meets before it has been tested.
     while (true) {
         ++trace.steps;
         const Leaf leaf = loadLeafAt(cell, resolution);
@@ -39,7 +40,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         const PlaneExit next = firstOf(ray, loadPlanes(mix(lo, hi, upward)));
         const ivec3 found = searchCell(positionAt(ray, next.t));
         cell = cellBehind(ray, lo, hi, cell, found, next.axis);
-        // A triangle may reach past the box: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond the box, so only a hit inside the box is known to be the closest.
         if (isDone(trace, anyHit) || trace.hit.t <= next.t || !isInLattice(cell, resolution)) {
             finish(trace);
             return;
