@@ -48,7 +48,7 @@ class ExitBoxes : public testing::TestWithParam<BoxCase> {
         return structure.tree.trianglesOf(leaf);
     }
 
-    // Whether every leaf with a cell in the box lists only triangles that `leaf` lists too.
+    // Returns true if all leaves with a cell in the box list only triangles that `leaf` lists too.
     bool holdsAllIn(const Leaf& leaf, const CellBox& box) const {
         for (ivec3 cell = box.lo; cell.z < box.hi.z; ++cell.z) {
             for (cell.y = box.lo.y; cell.y < box.hi.y; ++cell.y) {

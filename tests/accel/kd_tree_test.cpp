@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all users of the tree rely on: its leaves tile the lattice, and each lists all of its triangles.
+// All users of the tree rely on this: its leaves tile the lattice, and each lists all of its triangles.
 #include "accel/overlap.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"

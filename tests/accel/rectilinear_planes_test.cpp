@@ -153,7 +153,7 @@ TEST(RectilinearPlanes, aFineLookUpLeavesNoMoreThanOnePlaneToABucket) {
     }
 }
 
-// With planes at the integers, the lattice is uniform.
+// If the planes are at the integers, the lattice is uniform.
 TEST(RectilinearPlanes, trianglesTouchTheCellsOfAUniformLattice) {
     const glm::uvec3 resolution(9, 14, 5);
     const RectilinearPlanes planes({evenPlanes(9), evenPlanes(14), evenPlanes(5)}, vec3(resolution));

@@ -135,7 +135,7 @@ TEST(RectilinearTable, everyCellNamesALeafThatHoldsIt) {
     }
 }
 
-// For every box that a ray may cross after testing a leaf, the leaf lists what comes within the margin.
+// A leaf lists all triangles within the margin of the box that a ray may cross after testing the leaf.
 TEST(RectilinearTable, leavesListWhatComesWithinTheMargin) {
     for (const bool exitBoxes : {false, true}) {
         const Made made = make(triangleSoup(400, 3), wanted(8), exitBoxes);

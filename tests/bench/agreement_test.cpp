@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every traversal on every shared scene with every ray set, against the judge. It takes half an hour, so it
-// is no test of CTest's: tools/test --long runs it.
+// Compares every traversal with the judge on every shared scene with every ray set. This takes half an hour,
+// so CTest does not run it; tools/test --long does.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shared_scenes.h"
 #include "fixtures/vulkan_environment.h"
@@ -21,11 +21,11 @@
 namespace metamarch::bench {
 namespace {
 
-constexpr std::uint32_t kWidth = 161; // of each of the four views; not whole tiles
+constexpr std::uint32_t kWidth = 161; // of each of the four views; not a multiple of a tile's
 constexpr std::uint32_t kHeight = 119;
 constexpr std::uint32_t kTrickyRays = 200000;
-constexpr std::size_t kBruteForceRays = 1000;             // of each set: each tests every triangle
-constexpr std::uint32_t kBruteForceTriangles = 1u << 19u; // llvmpipe's loops reach no more of them
+constexpr std::size_t kBruteForceRays = 1000; // of each set, because each ray tests every triangle
+constexpr std::uint32_t kBruteForceTriangles = 1u << 19u; // llvmpipe's loops end after this number
 
 std::vector<std::filesystem::path> sceneFiles() {
     std::vector<std::filesystem::path> files;
@@ -59,7 +59,7 @@ std::vector<NamedRays> allRays(const Scene& scene, const AccelerationStructure& 
     return sets;
 }
 
-// How many of `count` rays a traversal is tried with.
+// Returns the number of rays, at most `count`, that a traversal is tested with.
 std::size_t raysFor(const std::string_view traversal, const std::size_t count, const Lattice& lattice) {
     if (traversal != "brute_force") {
         return count;
@@ -80,7 +80,7 @@ TEST_P(Agreement, everyTraversalHitsWhatTheJudgeHits) {
         scene = loadScene(GetParam());
     } catch (const Error& error) {
         ASSERT_EQ(error.kind, ErrorKind::inputRefused);
-        std::cerr << "refused: " << error.what() << "\n"; // whether rightly, the tests of the import know
+        std::cerr << "refused: " << error.what() << "\n"; // the tests of the import judge this
         return;
     }
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});
@@ -108,10 +108,10 @@ std::string testName(const testing::TestParamInfo<std::filesystem::path>& instan
     std::string name = instance.param.filename().string();
     std::ranges::replace_if(
         name, [](const unsigned char c) { return std::isalnum(c) == 0; }, '_');
-    return name + "_" + std::to_string(instance.index); // two folders may hold files of one name
+    return name + "_" + std::to_string(instance.index); // two folders may have files with the same name
 }
 
-// Without the shared scenes there is no instance of Agreement: this test says so.
+// Without the shared scenes, Agreement has no instances; this test then reports it.
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Agreement);
 TEST(AgreementScenes, areThere) { EXPECT_FALSE(tests::sharedScene("").empty()); }
 

@@ -14,7 +14,7 @@
 namespace metamarch::bench {
 namespace {
 
-constexpr std::uint32_t kWidth = 37; // not whole tiles
+constexpr std::uint32_t kWidth = 37; // not a multiple of a tile's
 constexpr std::uint32_t kHeight = 21;
 constexpr std::size_t kViewRays = 4 * kWidth * kHeight;
 
@@ -78,7 +78,7 @@ TEST(RaySet, holdsEveryPixelOnce) {
     }
 }
 
-// Leaving a closed convex body outwards, no ray meets it again: neither the triangle it leaves nor its
+// A ray that leaves a closed convex body does not hit it again: neither the triangle that it leaves nor its
 // neighbours.
 TEST(SecondaryRays, doNotMeetTheSurfaceTheyLeave) {
     for (const float distance : {0.0f, 1e3f}) {
@@ -117,7 +117,7 @@ TEST(RandomNumbers, areUniformAndCosineDistributed) {
         sphereMean += random.onSphere() / float(kCount);
         cosineMean += random.aroundZ().z / float(kCount);
     }
-    // Standard errors are below 0.005: these are more than 4 of them.
+    // The standard errors are below 0.005; the tolerances are more than 4 of them.
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(cubeMean[axis], 0.5f, 0.02f);
         EXPECT_NEAR(sphereMean[axis], 0.0f, 0.02f);

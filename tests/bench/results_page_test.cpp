@@ -42,7 +42,7 @@ TEST(ResultsPage, saysWhereTheNumbersComeFromAndWhatTheyMean) {
     }
 }
 
-// Ray sets and traversals meet where they belong, also where one is missing.
+// Each speed is in the row of its traversal and the column of its ray set, even if others are missing.
 TEST(ResultsPage, hasOneTableOfSpeedsPerScene) {
     const std::vector<Row> rows{makeRow("a.ply", "far", "floor", 7), makeRow("a.ply", "far", "march", 2),
                                 makeRow("a.ply", "ao", "march", 1), makeRow("b.ply", "far", "march", 5)};

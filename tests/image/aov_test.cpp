@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of channels, and the values that a pixel of the film gives them.
+// The table of channels, and their values for a pixel of the film.
 #include "metamarch/image/film_image.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Aov, isWrittenByItsIntegrators) {
     EXPECT_FALSE(image.findChannel("albedo.R"));
 }
 
-// A hit, a miss and a sample that is no number.
+// Adds a hit, a miss and a sample that is not a number.
 TEST(Aov, isAMeanOrOfTheFirstSample) {
     FilmPixel pixel = addSample(emptyPixel(), glm::vec3(2.0f, 4.0f, 6.0f), hitAt(8.0f));
     pixel = addSample(pixel, glm::vec3(0.0f), missFirst());

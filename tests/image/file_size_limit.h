@@ -5,7 +5,7 @@
 
 namespace metamarch {
 
-// Makes every file of the process end at `bytes`, as a full disk would.
+// Makes writes of the process fail beyond `bytes` bytes of a file, as on a full disk.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) {

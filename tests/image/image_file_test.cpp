@@ -21,7 +21,7 @@ namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Every channel that an integrator writes, and values that careless code loses.
+// Returns a picture with every channel that an integrator writes, and with values that careless code loses.
 Image everyChannel() {
     Image image(70, 67, filmImage({}, 0, 0, aovs()).channels);
     const float special[] = {0.0f,
@@ -46,7 +46,7 @@ Image flat(std::vector<std::string> channels, std::vector<float> values) {
     return image;
 }
 
-// What an 8-bit file holds, as 0 to 255.
+// Returns the values of an 8-bit file, from 0 to 255.
 std::vector<int> bytesOf(const Image& image) {
     std::vector<int> bytes;
     bytes.reserve(image.pixels.size());
@@ -111,7 +111,7 @@ TEST(ImageFile, PngIsToneMapped) {
     EXPECT_EQ(bytesOf(read), (std::vector<int>{118, 255, 0, 255}));
 }
 
-// Neutral takes 0.04 off each colour and leaves alpha; EXR stays linear.
+// The operator `neutral` subtracts 0.04 from each colour and does not change alpha; EXR stays linear.
 TEST(ImageFile, OnlyPngIsToneMappedAsAsked) {
     const TemporaryFolder folder;
     const ToneMapping neutral = {.toneOperator = kToneNeutral, .exposure = 1.0f};
@@ -129,7 +129,7 @@ TEST(ImageFile, PngWithoutAlphaHasThreeChannels) {
     EXPECT_EQ(bytesOf(readImage(folder / "a.png")), (std::vector<int>{0, 188, 255}));
 }
 
-// A colour of 0.25 that covers half a pixel is a colour of 0.5 where it covers.
+// If a surface covers half of a pixel and the pixel's colour is 0.25, the surface's colour is 0.5.
 TEST(ImageFile, PngColoursAreNotMultipliedByAlpha) {
     const TemporaryFolder folder;
     writeImage(flat({"R", "G", "B", "A"}, {0.25f, 0.0f, 0.5f, 0.5f}), folder / "a.png");

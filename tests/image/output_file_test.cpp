@@ -73,7 +73,7 @@ TEST(OutputFile, RefusesByReason) {
     EXPECT_NE(refusal("").find("no file name given"), std::string::npos);
 }
 
-// A rename would put a plain file in the place of the device.
+// A rename would replace the device with a plain file.
 TEST(OutputFile, RefusesDevices) {
     const std::string line = lineOfError(ErrorKind::outputNotWritable, [] { OutputFile file("/dev/null"); });
     EXPECT_EQ(line, "cannot write /dev/null: it is not a regular file");

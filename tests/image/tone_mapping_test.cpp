@@ -16,7 +16,8 @@ void PrintTo(const ToneOperatorName& name, std::ostream* out) { *out << name.nam
 
 namespace {
 
-// By hand from IEC 61966-2-1: 255 * (1.055 * x^(1/2.4) - 0.055), below 0.0031308 255 * 12.92 * x.
+// The values were computed by hand from IEC 61966-2-1: 255 * (1.055 * x^(1/2.4) - 0.055), but 255 * 12.92 * x
+// for x below 0.0031308.
 TEST(ToneMapping, FollowsTheSrgbCurve) {
     EXPECT_EQ(toSrgb8(0.0f), 0u);
     EXPECT_EQ(toSrgb8(0.001f), 3u);   // 3.29, the straight part
@@ -66,8 +67,8 @@ TEST(ToneOperators, NoneCutsOff) {
     EXPECT_EQ(toneMapped(kNone, {-1.0f, kInf, 1e-30f}), glm::vec3(0.0f, 1.0f, 1e-30f));
 }
 
-// Below the start of the compression, and with at least 0.08 in every channel, neutral takes off what a
-// dielectric reflects of light 1 all around: what is left is the base colour.
+// Below the start of the compression, and with at least 0.08 in every channel, `neutral` subtracts the light
+// that a dielectric reflects under uniform light of radiance 1. The base colour remains.
 TEST(ToneOperators, NeutralShowsBaseColours) {
     for (float r = 0.04f; r < 0.759f; r += 0.09f) {
         for (float g = 0.04f; g < 0.759f; g += 0.09f) {
@@ -78,7 +79,7 @@ TEST(ToneOperators, NeutralShowsBaseColours) {
     }
 }
 
-// By hand from the specification.
+// The values were computed by hand from the specification.
 TEST(ToneOperators, NeutralFollowsItsSpecification) {
     expectColor(kNeutral, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f});
     expectColor(kNeutral, {0.04f, 0.5f, 0.04f}, {0.01f, 0.47f, 0.01f});
@@ -86,7 +87,7 @@ TEST(ToneOperators, NeutralFollowsItsSpecification) {
     expectColor(kNeutral, {10.0f, 1.0f, 1.0f}, {0.9938983f, 0.6108985f, 0.6108985f});
 }
 
-// From the formulas of their sources in double precision.
+// The values were computed in double precision from the formulas of the sources.
 TEST(ToneOperators, AcesFollowsItsFit) {
     expectColor(kAces, {0.18f, 0.18f, 0.18f}, {0.1055912f, 0.1055912f, 0.1055902f});
     expectColor(kAces, {1.0f, 1.0f, 1.0f}, {0.6191154f, 0.6191154f, 0.6191092f});

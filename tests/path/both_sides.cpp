@@ -52,7 +52,6 @@ void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPi
     EXPECT_EQ(different, 0u) << "pixels of " << film.size();
 }
 
-// Not all of them black or alike.
 void expectPicture(const std::vector<FilmPixel>& film) {
     std::size_t bright = 0;
     for (const FilmPixel& pixel : film) {

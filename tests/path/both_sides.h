@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene on the device and on the CPU, and whether both draw the same film.
+// Renders a scene on the device and on the CPU, and compares the films.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/render/path_renderer.h"
@@ -37,11 +37,11 @@ class BothSides {
 
 extern const std::string kDefaultTraversal;
 
-// To the bit, but for steps and tests, which belong to the traversal.
+// Compares all bits except steps and tests, which depend on the traversal.
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b);
 void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected);
 
-// Not all of them black or alike.
+// Expects a film whose pixels are neither all black nor all equal.
 void expectPicture(const std::vector<FilmPixel>& film);
 
 } // namespace metamarch::tests

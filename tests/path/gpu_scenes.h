@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scenes on which the device's path tracer is compared with the CPU's: one for each feature, so that each
-// specialization of the kernel is seen alone, and all of them together.
+// The scenes on which the path tracers of device and CPU are compared. There is one for each feature, so that
+// each specialization of the kernel is tested alone, and one with all features.
 #pragma once
 #include "path/path_scene.h"
 
@@ -17,15 +17,15 @@ struct GpuPathScene {
     PathWork work{.samples = 5, .maxBounces = 6};
 };
 
-// How GoogleTest names one.
+// GoogleTest prints parameters with this function.
 inline void PrintTo(const GpuPathScene& scene, std::ostream* out) { *out << scene.name; }
 
 const std::vector<GpuPathScene>& gpuPathScenes();
 
-// Textures, holes, punctual lights.
+// Returns a scene with textures, holes and punctual lights.
 PathScene blended();
 
-// Of every feature there is.
+// Returns a scene with all features.
 PathScene everything();
 
 } // namespace metamarch::tests

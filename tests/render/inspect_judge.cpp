@@ -14,7 +14,7 @@
 namespace metamarch::tests {
 namespace {
 
-// The twins' records lie in different orders, so by id.
+// Finds triangles by their id, because the records of the twins are in different orders.
 const TriangleRecord& recordOf(const StructureSet& scene, const std::uint32_t triangleId) {
     const std::vector<TriangleRecord>& all = scene.triangles();
     const auto found = std::ranges::lower_bound(all, triangleId, {}, &TriangleRecord::triangleId);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pictures of the kernels `inspect` and `cells`, drawn by the twins on the CPU.
+// Draws the pictures of the kernels `inspect` and `cells` on the CPU, with the twins.
 #pragma once
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/shared/camera.h"
@@ -11,7 +11,8 @@
 
 namespace metamarch::tests {
 
-// Packed pixels in rows. `traversal` must have a twin; views of cells are the meta table's without it.
+// Returns packed pixels in rows. `traversal` must have a twin. Views of cells ignore it and use the meta
+// table.
 std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const ShadingScene& shading,
                                         const std::string& traversal, const Camera& camera,
                                         std::uint32_t view, float scaleMax);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What crosses the bus lies where both sides think: the SPIR-V of every shader against the structs of C++.
+// Host and device agree on the layout of buffers: compares the SPIR-V of every shader with the structs of
+// C++.
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shared/bvh_node.h"
 #include "metamarch/shared/camera.h"
@@ -51,7 +52,7 @@ void PrintTo(const StructLayout& layout, std::ostream* out) { *out << layout.nam
 #define MEMBER(Struct, member)                                                                               \
     { #member, offsetof(Struct, member), sizeof(Struct::member) }
 
-// Every struct of shaders/shared that lies in a buffer or in push constants.
+// All structs of shaders/shared that are in a buffer or in push constants.
 const StructLayout kStructs[] = {
     {"Lattice",
      sizeof(Lattice),
@@ -183,7 +184,7 @@ const StructLayout* findStruct(const std::string_view name) {
     return found == std::end(kStructs) ? nullptr : found;
 }
 
-// Buffers that shaders read in vectors of words, from which they make structs member by member.
+// The buffers that shaders read as vectors of words, from which they assemble structs.
 struct WordBuffer {
     std::string_view block;
     std::string_view element;
@@ -205,11 +206,11 @@ const WordBuffer kWordBuffers[] = {
     {"tableWordsBuffer", "TableEntry"},
 };
 
-// Buffers of four numbers an entry, which no struct names.
+// The buffers whose entries are four numbers without a struct.
 constexpr std::string_view kVectorBuffers[] = {"colorWordsBuffer", "tangentWordsBuffer",
                                                "environmentWordsBuffer"};
 
-// Buffers of several members, and the struct of C++ that has the same.
+// The buffers with several members, and the struct of C++ with the same members.
 const WordBuffer kBlocks[] = {{"InputBuffer", "PathInput"}};
 
 const StructLayout* findElement(const std::string_view block) {
@@ -229,7 +230,7 @@ std::optional<std::size_t> sizeOf(const SpirvLayout& layout, const std::uint32_t
     return known == nullptr ? std::nullopt : std::optional(known->size);
 }
 
-// A struct outside of memory has no offsets: made from words, its members lie one after the other.
+// A struct that is assembled from words has no offsets in SPIR-V: its members follow each other.
 void expectMembers(const SpirvLayout& layout, const SpirvStruct& found, const StructLayout& expected) {
     ASSERT_EQ(found.members.size(), expected.members.size());
     std::uint32_t end = 0;
@@ -246,7 +247,7 @@ void expectMembers(const SpirvLayout& layout, const SpirvStruct& found, const St
     EXPECT_EQ(end, expected.size) << "padding without a name at the end";
 }
 
-// A buffer holds one member, a struct of the table or a number, or an array of them without gaps.
+// A buffer has one member: a struct of the table, a number, or an array of these without gaps.
 void expectBlock(const SpirvLayout& layout, const SpirvStruct& block) {
     const auto* const whole = std::ranges::find(kBlocks, block.name, &WordBuffer::block);
     if (whole != std::end(kBlocks)) {
@@ -313,7 +314,7 @@ bool liesInMemory(const SpirvLayout& layout, const StructLayout& wanted) {
     });
 }
 
-// Without it the test above could pass for having compared nothing.
+// Ensures that the test above has compared something.
 TEST_P(SharedStruct, liesInTheMemoryOfSomeShader) {
     EXPECT_TRUE(std::any_of(shaders().begin(), shaders().end(), [](const Shader& shader) {
         return liesInMemory(readLayout(shader.spirv), GetParam());

@@ -23,8 +23,8 @@ SpirvMember& member(SpirvStruct& owner, const std::uint32_t index) {
     return owner.members[index];
 }
 
-// `operands` are the words behind the first one of the instruction. SPIR-V names and decorates a type before
-// it declares it.
+// `operands` are the words of the instruction after the first one. SPIR-V names and decorates a type before
+// it declares the type.
 void readInstruction(const spv::Op op, const std::span<const std::uint32_t> operands,
                      std::map<std::uint32_t, std::string>& names, SpirvLayout& layout) {
     switch (op) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory layout that a SPIR-V module declares: what its shader believes to find in buffers.
+// Reads the memory layout of buffers that a SPIR-V module declares.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -13,7 +13,7 @@ namespace metamarch::tests {
 struct SpirvMember {
     std::string name;
     std::uint32_t typeId = 0;
-    std::optional<std::uint32_t> offset; // bytes; only structs that lie in memory have them
+    std::optional<std::uint32_t> offset; // bytes; only members of structs in memory have one
 };
 
 struct SpirvStruct {
@@ -26,16 +26,16 @@ struct SpirvStruct {
 
 struct SpirvArray {
     std::uint32_t elementTypeId = 0;
-    std::optional<std::uint32_t> stride; // bytes; only arrays that lie in memory have it
+    std::optional<std::uint32_t> stride; // bytes; only arrays in memory have one
 };
 
 struct SpirvLayout {
     std::map<std::uint32_t, SpirvStruct> structs;   // [type id]
-    std::map<std::uint32_t, SpirvArray> arrays;     // [type id], of fixed and of runtime length
-    std::map<std::uint32_t, std::uint32_t> numbers; // [type id] -> bytes, of scalars and vectors
+    std::map<std::uint32_t, SpirvArray> arrays;     // [type id]; of fixed and of runtime length
+    std::map<std::uint32_t, std::uint32_t> numbers; // [type id]; sizes in bytes of scalars and vectors
 };
 
-// Throws std::runtime_error for words that are no module.
+// Throws std::runtime_error if the words are not a module.
 SpirvLayout readLayout(std::span<const std::uint32_t> spirv);
 
 } // namespace metamarch::tests

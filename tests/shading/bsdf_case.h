@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One evaluation and one sample of a BSDF, computed on CPU and device.
+// Evaluates and samples a BSDF once, on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_BSDF_CASE_H
 #define METAMARCH_TESTS_SHADING_BSDF_CASE_H
 #include "metamarch/shared/bsdf.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sampled camera ray, computed on CPU and device.
+// Samples a camera ray, on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #define METAMARCH_TESTS_SHADING_CAMERA_CASE_H
 #include "metamarch/shared/camera.h"

@@ -16,10 +16,11 @@ struct Histogram {
     std::vector<double> expected;
 };
 
-// Returns a histogram without observations, with `samples` expected uniformly over all cells.
+// Returns a histogram without observations. It expects `samples` samples, uniformly over all cells.
 Histogram evenHistogram(std::size_t cells, int samples);
 
-// Returns which of `parts` equal parts of [0, 1] contains `place`; values outside go to the outermost parts.
+// Returns the index of the one of `parts` equal parts of [0, 1] that contains `place`. Values outside go to
+// the outermost parts.
 std::size_t partOf(double place, std::size_t parts);
 
 // Returns the probability that samples of the expected distribution differ at least as much as these. Cells

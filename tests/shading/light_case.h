@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of light.h and environment_map.h on one input, computed on CPU and device.
+// Computes the functions of light.h and environment_map.h for one input, on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #define METAMARCH_TESTS_SHADING_LIGHT_CASE_H
 #include "metamarch/shared/environment_map.h"

@@ -59,7 +59,7 @@ TEST(TriangleSample, isUniformInArea) {
         const vec3 corners = sampleTriangle(vec2(first, drawFrom(random)));
         ASSERT_GE(smallest(corners), 0.0f);
         ASSERT_NEAR(corners.x + corners.y + corners.z, 1.0f, 1e-6f);
-        // From the third corner; the fraction of the area up to there is its square.
+        // The place is counted from the third corner; its square is the fraction of the area up to there.
         const double away = 1.0 - corners.z;
         const std::size_t strip = partOf(away * away, kStrips);
         const std::size_t part = away > 0.0 ? partOf(corners.x / away, kParts) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that shading loads of a scene by one index, asked of both sides.
+// Calls all load… functions of the scene with one index, on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_LOADED_RECORDS_H
 #define METAMARCH_TESTS_SHADING_LOADED_RECORDS_H
 #include "metamarch/shared/light.h"

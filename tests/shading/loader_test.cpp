@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structs that the device makes of words: each member is the word that the host's struct has there.
+// The device assembles structs from words: each member must be the word at that place of the host's struct.
 #include "fixtures/vulkan_environment.h"
 #include "kernels/loaders_storage.h"
 #include "kernels/loaders_texel.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint32_t kRecords = 5;
 
-// Every word of every buffer is another number in [1, 2), but for padding.
+// Fills all buffers so that every word, except padding, is a different number in [1, 2).
 ShadingScene sceneOfDistinctWords() {
     ShadingScene scene;
     std::uint32_t next = 0x3f800000u;
@@ -98,7 +98,8 @@ TEST_P(Loaders, putEveryWordWhereTheStructHasIt) {
     }
 }
 
-// The scene's materials as material_rows.inc says that a kernel with these features sees them.
+// Returns the scene's materials as a kernel with these features must load them according to
+// material_rows.inc.
 MaterialRecord seenWith(const std::uint32_t features, const MaterialRecord& whole) {
     const auto hasFeature = [&](const std::uint32_t feature) { return (features & feature) != 0u; };
     MaterialRecord seen = whole;

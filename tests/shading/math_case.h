@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of math.h and sobol.h on one input, computed on CPU and device.
+// Computes the functions of math.h and sobol.h for one input, on CPU and device.
 #ifndef METAMARCH_TESTS_SHADING_MATH_CASE_H
 #define METAMARCH_TESTS_SHADING_MATH_CASE_H
 #include "metamarch/shared/math.h"

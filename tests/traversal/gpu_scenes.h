@@ -12,18 +12,18 @@ namespace metamarch::tests {
 
 struct GpuScene {
     std::string name;
-    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own; "": a sphere
+    std::string file; // in the folder of shared scenes; "scenes/...": one of the project's; "": a sphere
     float scale = 1.0f;
     AccelerationOptions options{};
-    bool inStadium = false; // on a plane 10,000 times larger
+    bool inStadium = false; // adds a plane that is 10,000 times larger
 };
 
-// How GoogleTest names one.
+// GoogleTest prints parameters with this function.
 inline void PrintTo(const GpuScene& scene, std::ostream* out) { *out << scene.name; }
 
 const std::vector<GpuScene>& gpuScenes();
 
-// Ends the test where the file is one of the shared scenes and is absent.
+// Ends the test if the file is a shared scene that does not exist: see sharedScene.
 Scene load(const GpuScene& scene);
 
 } // namespace metamarch::tests

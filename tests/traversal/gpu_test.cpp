@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every traversal on the device against the judges, ray by ray and pixel by pixel, with the validation layers
-// on.
+// Compares every traversal on the device with the judges, ray by ray and pixel by pixel, under validation.
 #include "fixtures/ray_sets.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/reference/primary.h"
@@ -26,8 +25,8 @@ constexpr std::uint32_t kBruteForceRays = 10000;
 
 constexpr std::string_view kBruteForce = "brute_force";
 
-// All of the work for the default, less for its rivals, little for the slowest and where a ray takes
-// thousands of tests: the suite has to end.
+// The default traversal gets the full work, the others less. The slowest ones, and scenes in which a ray
+// takes thousands of tests, get little, so that the tests are quick.
 struct Effort {
     std::size_t rays;
     std::size_t views;
@@ -44,7 +43,7 @@ Effort effortFor(const std::string_view traversal, const GpuScene& scene) {
                                     : Effort{kRays / 10, 1, 161, 119};
 }
 
-// The traversals that the device can run; of the others it is said.
+// Returns the traversals that the device can run, and prints the others.
 std::vector<std::string_view> offeredTraversals(const vulkan::Device& device) {
     std::vector<std::string_view> offered;
     for (const std::string_view traversal : traversals()) {
@@ -151,7 +150,7 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
                 render::renderPrimaryOnDevice(device, buffers, std::string(traversal), camera);
             std::size_t different = 0;
             for (std::size_t i = 0; i < expected.size(); ++i) {
-                // All but steps and tests, bit for bit.
+                // Compare all bits except steps and tests.
                 different +=
                     std::memcmp(&result.pixels[i], &expected[i], offsetof(FilmPixel, steps)) == 0 ? 0 : 1;
             }

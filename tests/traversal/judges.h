@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every way to trace one ray, side by side, for tests.
+// Traces rays with the CPU's traversals and compares the results.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/trace.h"
@@ -13,16 +13,17 @@ namespace metamarch::tests {
 
 using Judge = std::function<TraceResult(const Ray&)>;
 
-// One result per ray, on all processors.
+// Returns one result per ray. Uses all processors.
 std::vector<RayResult> traceAll(const Lattice& lattice, std::span<const RayQuery> rays, const Judge& judge);
 
 enum class Counters { compared, ignored };
 
-// Fails, naming the first rays, unless every ray has the same triangle at the same t, to the bit, in both.
+// Expects that both have the same triangle at the same t, bit by bit, for every ray. Names the first rays for
+// which that fails.
 void expectSameHits(std::span<const RayQuery> rays, std::span<const RayResult> results,
                     std::span<const RayResult> expected, Counters counters);
 
-// The same for any-hit queries, where either may name any triangle: both hit or both miss.
+// Does the same for any-hit queries: both must hit or both must miss, but each may name any triangle.
 void expectSameOcclusion(std::span<const RayQuery> rays, std::span<const RayResult> results,
                          std::span<const RayResult> expected);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The CPU twin of every traversal on scenes made in memory: brute force judges them all.
+// Compares the CPU twin of every traversal with brute force, on scenes made in memory.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "metamarch/reference/twins.h"
@@ -33,7 +33,7 @@ Scene degenerateOnly() {
     return scene;
 }
 
-// 200 triangles in one plane, one over the other.
+// Returns 200 overlapping triangles in one plane.
 Scene coplanarHeap() {
     Scene scene;
     for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The recorded march is the march: its steps, its boxes one behind the other, its hit.
+// The recorded march has the steps and the hit of the march, and adjacent boxes.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"
@@ -93,8 +93,8 @@ INSTANTIATE_TEST_SUITE_P(ExitBoxes, MarchLogs, testing::Bool(), [](const auto& i
     return std::string(instance.param ? "grown" : "leaves_own");
 });
 
-// What a picture of the march draws: from far away, in lengths of a direction that is none of unit length,
-// each crossing begins and ends on the faces of its box.
+// The recorded crossings begin and end on the faces of their boxes, even for a distant origin and for a
+// direction that does not have unit length.
 TEST(MarchLogs, countTheirDistancesFromTheOriginGiven) {
     const Scene scene = triangleSoup(500, 6);
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});

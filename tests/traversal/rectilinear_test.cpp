@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays aimed at the uneven planes of the rectilinear table, which no ray set over the uniform lattice meets:
-// brute force judges its twin, which asserts its invariants.
+// Rays towards the uneven planes of the rectilinear table, which other ray sets do not hit. The table's twin,
+// which asserts its invariants, is compared with brute force.
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/reference/twins.h"
@@ -22,7 +22,8 @@ class PlaneRays {
     PlaneRays(const Lattice& usedLattice, const RectilinearPlanes& usedPlanes)
         : lattice(usedLattice), planes(usedPlanes) {}
 
-    // From a corner of cells, or near one; to another, along an axis, or in a plane of two axes.
+    // Makes a ray from a corner of cells or near one, to another corner, along an axis, or in a plane of two
+    // axes.
     RayQuery make() {
         const vec3 origin = corner();
         vec3 dir = corner() - origin;
@@ -46,7 +47,7 @@ class PlaneRays {
         return std::uniform_int_distribution<unsigned>(0, end - 1)(random);
     }
 
-    // On the planes as near as floats come, or a float beside them.
+    // Returns the corner as floats, or a neighbouring float.
     vec3 corner() {
         vec3 result;
         for (int axis = 0; axis < 3; ++axis) {
@@ -106,7 +107,7 @@ Scene oneTriangle() {
     return scene;
 }
 
-// What a uniform lattice does worst: all of the detail in a millionth of the floor.
+// The worst case for a uniform lattice: all of the detail is in a millionth of the floor.
 Scene sphereInStadium() {
     Scene scene;
     addSphere(scene, {0, 1, 0}, 1.0f, 30, 15);
@@ -122,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Rectilinear,
                                          NamedScene{"sphere_in_stadium", sphereInStadium}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-// The scene that makes a flat table slow: here the sphere has its share of the cells.
+// A uniform lattice is slow for this scene; the uneven cells give the sphere its share of the cells.
 TEST(RectilinearInAStadium, testsFewTriangles) {
     const AccelerationStructure structure = buildAccelerationStructure(sphereInStadium(), {});
     const StructureSet structures(structure);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The structures that the rivals of the meta table walk: each holds every triangle wherever a ray may look.
+// The structures of the traversals other than the meta table: a ray can find every triangle in each of them.
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/shared/kd_rope.h"
@@ -16,7 +16,7 @@
 namespace metamarch::tests {
 namespace {
 
-// One place for all of them: no split tells them apart.
+// All triangles are at the same place, so no split separates them.
 Scene identicalTriangles(const int count) {
     Scene scene;
     for (int i = 0; i < count; ++i) {
@@ -25,7 +25,7 @@ Scene identicalTriangles(const int count) {
     return scene;
 }
 
-// Sizes and places that double from triangle to triangle: splits cut off one at a time.
+// Size and distance double from triangle to triangle, so each split separates only one of them.
 Scene geometricSeries() {
     Scene scene;
     for (int i = 0; i < 2000; ++i) {
@@ -77,7 +77,7 @@ TEST_P(Structures, holdTheNonDegenerateTriangles) {
     EXPECT_EQ(inBvh, nonDegenerate);
 }
 
-// What the driver's hierarchy is fed: every triangle once, where it first comes in the leaves.
+// The driver's hierarchy gets every triangle once, in the order of its first reference in the leaves.
 TEST_P(Structures, spatialTrianglesAreInTheOrderOfTheLeaves) {
     std::set<std::uint32_t> seen;
     std::vector<std::uint32_t> expected;
@@ -94,7 +94,7 @@ TEST_P(Structures, spatialTrianglesAreInTheOrderOfTheLeaves) {
     EXPECT_EQ(found.size(), nonDegenerateTriangles(scene).size());
 }
 
-// Every child's box holds its triangles with the margin, and the tree is no deeper than the stack.
+// Every child's box contains its triangles with the margin, and the tree is not deeper than the stack.
 TEST_P(Structures, bvhBoxesHoldTheirTriangles) {
     const Bvh& bvh = structures.bvh();
     const glm::dvec3 margin = referenceMargin(lattice);
@@ -167,7 +167,7 @@ TEST_P(Structures, gridCellsListTheirTriangles) {
     }
 }
 
-// From every cell at a leaf's face, one step out: the rope's node holds the leaf that the table names.
+// One step out of every cell at a leaf's face, the rope's node contains the leaf that the table has there.
 TEST_P(Structures, ropesLeadToTheNeighbours) {
     const KdTree& tree = structure.tree;
     const std::vector<std::uint32_t>& ropes = structures.kdRopes();

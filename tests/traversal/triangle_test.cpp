@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangle test against double precision, and the two promises that traversals build on: no gaps between
-// neighbours, and hits that lie at their triangle.
+// Compares the triangle test with double precision, and checks the two properties that traversals rely on:
+// there are no gaps between neighbours, and hits are near their triangle.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
@@ -22,7 +22,7 @@ TEST(DifferenceOfProducts, isRightToAFewUlps) {
     for (int i = 0; i < 100000; ++i) {
         const float a = unit(random);
         const float b = unit(random);
-        // Every other pair of products all but cancels.
+        // Every other pair of products nearly cancels.
         const float c = i % 2 == 0 ? a * (1.0f + 1e-6f * unit(random)) : unit(random);
         const float d = i % 2 == 0 ? b : unit(random);
         const double exact = double{a} * b - double{c} * d; // each product is exact in double precision
@@ -36,7 +36,7 @@ struct ExactHit {
     double margin; // smallest barycentric coordinate: negative outside, 0 on an edge
 };
 
-// Möller & Trumbore 1997 in double precision: another formula than the one it judges.
+// Uses the formula of Möller and Trumbore, 1997, in double precision, not the one under test.
 ExactHit intersectExactly(const Ray& ray, const std::array<glm::vec3, 3>& triangle) {
     const glm::dvec3 e1 = glm::dvec3(triangle[1]) - glm::dvec3(triangle[0]);
     const glm::dvec3 e2 = glm::dvec3(triangle[2]) - glm::dvec3(triangle[0]);
@@ -95,7 +95,7 @@ TEST(Triangle, agreesWithDoublePrecision) {
         const double height =
             glm::length(normal) / std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)});
         const double cosine = std::abs(glm::dot(glm::normalize(normal), glm::normalize(glm::dvec3(ray.dir))));
-        // Only where rounding cannot decide: not edge-on, not at an edge, not at the end of the ray.
+        // Skip cases that rounding can decide: edge-on triangles, hits at an edge or at the end of the ray.
         if (cosine < 0.05 || std::abs(exact.margin) * height < 1e-5 || std::abs(exact.t - ray.tMin) < 1e-4) {
             return;
         }
@@ -111,7 +111,7 @@ TEST(Triangle, agreesWithDoublePrecision) {
 
 void expectHitsAtTheirTriangle(const Scene& scene) {
     const Lattice lattice = buildAccelerationStructure(scene, {}).lattice;
-    // Half of the margin; the other half is for the roundings of a traversal.
+    // The test may use half of the margin; the other half is for the rounding errors of a traversal.
     const double allowed = 0.5 * kReferenceMargin * static_cast<double>(lattice.extent);
     double worst = 0.0;
     std::size_t hits = 0;
@@ -140,7 +140,7 @@ TEST(Triangle, isHitWhereItIsThoughSeenAlmostEdgeOn) {
     Scene scene;
     std::mt19937 random(6);
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
-    for (int i = 0; i < 200; ++i) { // slats all but along one direction
+    for (int i = 0; i < 200; ++i) { // slats that are nearly parallel to one direction
         const glm::vec3 at(unit(random), unit(random), unit(random));
         addTriangle(scene, at, at + glm::vec3(1.0f, 1e-5f * unit(random), 0.5f),
                     at + glm::vec3(0.7f, 1e-6f * unit(random), -0.4f));
@@ -148,8 +148,7 @@ TEST(Triangle, isHitWhereItIsThoughSeenAlmostEdgeOn) {
     expectHitsAtTheirTriangle(scene);
 }
 
-// Closed meshes, seen from within: not one ray gets out, wherever the mesh lies. The place is the one that
-// Embree's own tests use.
+// No ray leaves a closed mesh from the inside, wherever the mesh is. The place is that of Embree's own tests.
 class Watertight : public testing::TestWithParam<glm::vec3> {};
 
 TEST_P(Watertight, noRayEscapes) {
@@ -180,7 +179,7 @@ TEST_P(Watertight, noRayEscapes) {
 INSTANTIATE_TEST_SUITE_P(Places, Watertight,
                          testing::Values(glm::vec3(0.0f), glm::vec3(148376.0f, 1234.0f, -223423.0f)));
 
-// What a ray may be and what it may not.
+// Rays within the limits hit; rays outside of them hit nothing.
 TEST(RaySetUp, refusesWhatIsNotARay) {
     const AccelerationStructure structure = buildAccelerationStructure(unitCube(), {});
     const float nan = std::numeric_limits<float>::quiet_NaN();

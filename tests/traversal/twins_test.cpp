@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of twins against the list of traversals, whatever the order of either.
+// Compares the lists of twins and of traversals, in any order.
 #include "metamarch/accel/structure.h"
 #include "metamarch/reference/twins.h"
 #include "metamarch/shaders/shader_library.h"
@@ -28,7 +28,7 @@ TEST(Twins, areThoseOfTheTraversalsThatTheDriverDoesNotWalk) {
     EXPECT_EQ(found, expected);
 }
 
-// So a misspelt name in shaders/CMakeLists.txt is found without a device.
+// This finds a misspelt name in shaders/CMakeLists.txt without a device.
 TEST(Structures, areDeclaredForEveryShader) {
     for (const Shader& shader : shaders()) {
         if (!shader.structure.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel kernels/affine.comp, as the tests use it.
+// The bindings and constants of kernels/affine.comp, and functions that create it.
 #pragma once
 #include "metamarch/vulkan/compute_pipeline.h"
 

@@ -10,7 +10,7 @@
 namespace metamarch::cli {
 namespace {
 
-// What `metamarch devices` prints, with --json or without.
+// Returns the output of `metamarch devices`, with --json or without.
 std::string output(const bool isJson) {
     Command command = makeDevicesCommand();
     if (isJson) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A meta table over a program's own triangles, and the march of one ray through it on the CPU.
+// Builds a meta table over a program's own triangles and marches one ray through it on the CPU.
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/trace.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A glTF file to a picture of floats, by the path tracer on the CPU.
+// Renders a glTF file to a picture of floats, with the path tracer on the CPU.
 #include "metamarch/render/render.h"
 
 #include "metamarch/render/picture.h"

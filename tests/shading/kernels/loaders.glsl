@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the loaders of lib/shading.glsl make of the scene's buffers: one element of each an invocation.
+// Calls the loaders of lib/shading.glsl; each invocation loads one element of each buffer.
 #include "lib/shading.glsl"
 #include "shading/loaded_records.h"
 layout(local_size_x = 1) in;
