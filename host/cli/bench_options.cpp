@@ -15,7 +15,7 @@ void BenchOptions::declare(SettingList& list) {
     list.size("size", size, "Pixels of each view");
     list.count("repeat", repeat, 1, 1000000, "Measured runs at least, after one to warm up");
     list.number("seconds", seconds, {0.0, 1e9, "0 or more seconds"}, "Measured seconds at least, of each row")
-        .takes("S");
+        .withValueName("S");
 }
 
 bench::Origin BenchOptions::originOf(const std::string& device, const std::string& driver) const {

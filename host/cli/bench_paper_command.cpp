@@ -67,9 +67,9 @@ Command makeBenchPaperCommand() {
         "paper", "The paper's experiment: cow and bunny, stack traversal against meta table", {}, {}, {}, {}};
     SettingList& settings = command.settings;
     settings.text("scenes", options->scenes, "Folder with the models, see tools/fetch_scenes")
-        .takes("DIR")
+        .withValueName("DIR")
         .required();
-    settings.text("out", options->out, "Folder for paper.json and paper.csv").takes("DIR").required();
+    settings.text("out", options->out, "Folder for paper.json and paper.csv").withValueName("DIR").required();
     declareDevice(settings, options->device);
     options->bench.declare(settings);
     command.footer = "Example:\n  build/metamarch bench paper --scenes build/scenes --out build/paper";

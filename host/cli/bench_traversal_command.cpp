@@ -14,6 +14,7 @@
 #include "metamarch/shaders/shader_library.h"
 #ifdef METAMARCH_EMBREE
 #include "metamarch/bench/embree_peer.h"
+#include "metamarch/render/traversal_choice.h"
 #endif
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ std::vector<std::string> chooseTraversals(const vulkan::DeviceReport& device,
         return askedFor;
     }
     if (table == TableMethod::rectilinear) {
-        return {std::string(marchThrough(table))};
+        return {std::string(render::marchingTraversal(table))};
     }
     std::vector<std::string> names(traversals().begin(), traversals().end());
     std::erase(names, "brute_force");
@@ -181,7 +182,7 @@ void runTraversal(const TraversalOptions& options) {
     const AccelerationOptions& structureOptions = options.structure;
     checkStructure(structureOptions);
     for (const std::string& traversal : options.traversals) {
-        requireTable(structureOptions.table, traversal);
+        render::requireTable(structureOptions.table, traversal);
     }
     for (const std::string& path : {options.jsonPath, options.markdownPath}) {
         if (!path.empty()) {
@@ -233,19 +234,20 @@ Command makeBenchTraversalCommand() {
                fmt::format("Ray sets ({}) and files of six float32 a ray, origin and direction; with commas "
                            "between (default: all sets)",
                            fmt::join(options->rays, " ")))
-        .takes("NAME|FILE,...");
+        .withValueName("NAME|FILE,...");
     settings
         .words("traversals", options->traversals,
                "Traversals, with commas between (default: all that a device can run, but brute_force)")
-        .takes("NAME,...")
+        .withValueName("NAME,...")
         .oneOf(traversalNames());
     settings
         .words("device", options->devices,
                "Vulkan devices, see `metamarch devices`, with commas between, or all")
-        .takes("INDEX|NAME,...")
-        .also("devices");
-    settings.text("json", options->jsonPath, "Write the rows as JSON").takes("FILE");
-    settings.text("markdown", options->markdownPath, "Write the rows as a Markdown page").takes("FILE");
+        .withValueName("INDEX|NAME,...")
+        .withOtherName("devices");
+    settings.text("json", options->jsonPath, "Write the rows as JSON").withValueName("FILE");
+    settings.text("markdown", options->markdownPath, "Write the rows as a Markdown page")
+        .withValueName("FILE");
     options->bench.declare(settings);
     declareImport(settings, options->import);
     declareStructure(settings, options->structure);

@@ -42,7 +42,7 @@ void assign(Setting& setting, const std::string& text) {
 }
 
 std::string optionNames(const Setting& setting) {
-    if (setting.kind() == Setting::Kind::positional) {
+    if (setting.isPositional()) {
         return setting.name();
     }
     std::string names = setting.shortName().empty() ? "" : fmt::format("-{},", setting.shortName());
@@ -68,7 +68,7 @@ void addSetting(CLI::App& app, Setting& setting) {
         option = app.add_flag_callback(
             optionNames(setting), [&setting] { assign(setting, "on"); }, setting.help());
     } else {
-        const bool isOne = setting.kind() != Setting::Kind::positional || setting.valueName().empty();
+        const bool isOne = setting.kind() != Setting::Kind::positionals;
         option = app.add_option(
             optionNames(setting),
             [&setting](const CLI::results_t& words) {
@@ -90,11 +90,6 @@ void addSetting(CLI::App& app, Setting& setting) {
     }
 }
 
-bool isGiven(const SettingList& list, const std::string& name) {
-    const auto found = std::ranges::find(list.all(), name, &Setting::name);
-    return found != list.all().end() && found->isGiven();
-}
-
 // Throws Error(invalidArgument) where settings that were given exclude each other, or one lacks what it
 // needs.
 void checkTogether(const SettingList& list) {
@@ -103,13 +98,13 @@ void checkTogether(const SettingList& list) {
             continue;
         }
         for (const std::string& other : setting.excluded()) {
-            if (isGiven(list, other)) {
+            if (list.at(other).isGiven()) {
                 throw Error(ErrorKind::invalidArgument,
                             fmt::format("--{} and --{} exclude each other", setting.name(), other));
             }
         }
         for (const std::string& other : setting.needed()) {
-            if (!isGiven(list, other)) {
+            if (!list.at(other).isGiven()) {
                 throw Error(ErrorKind::invalidArgument,
                             fmt::format("--{} needs --{}", setting.name(), other));
             }

@@ -133,13 +133,13 @@ Command makeCompareCommand() {
     settings
         .number("max-abs", options->bounds.maxAbs, bound,
                 "A pixel fails when one of its channels differs by more")
-        .takes("D");
+        .withValueName("D");
     settings
         .number("max-fail-percent", options->bounds.maxFailPercent, bound,
                 "Per cent of the pixels that may fail")
-        .takes("P");
+        .withValueName("P");
     settings.text("out", options->differencePath, "Write |A - B| of every common channel to this .exr")
-        .takes("FILE.exr");
+        .withValueName("FILE.exr");
     settings.flag("json", options->json, "Print the report as JSON; \"inf\" and \"nan\" are strings there");
     command.footer =
         "Per channel: root mean square error; mean of (A-B)^2 / (B^2 + 0.01); mean of A-B; the largest\n"

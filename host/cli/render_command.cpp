@@ -11,6 +11,7 @@
 #include "metamarch/image/image_file.h"
 #include "metamarch/render/picture.h"
 #include "metamarch/render/render.h"
+#include "metamarch/render/traversal_choice.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
@@ -75,12 +76,13 @@ void checkOutputs(const RenderOptions& options) {
 }
 
 render::RenderSettings settingsOf(const RenderOptions& options) {
-    const TableMethod table = options.structure.table;
     render::RenderSettings settings;
     settings.path = options.path;
     settings.samplesPerPixel = options.samplesPerPixel;
-    settings.traversal = options.traversal.empty() ? std::string(marchThrough(table)) : options.traversal;
-    requireTable(table, settings.traversal);
+    settings.traversal = options.traversal;
+    if (!settings.traversal.empty()) {
+        render::requireTable(options.structure.table, settings.traversal); // before the scene is loaded
+    }
     return settings;
 }
 
@@ -105,7 +107,7 @@ void writeStats(const nlohmann::ordered_json& report, const render::PreparedScen
     stats["schema"] = 1;
     stats.update(report);
     stats["scene"] = reportStructure(*scene.scene, *scene.structure);
-    if (onDevice && report["traversal"] == marchThrough(TableMethod::rectilinear)) {
+    if (onDevice && report["traversal"] == render::marchingTraversal(TableMethod::rectilinear)) {
         stats["scene"]["rectilinear"] =
             reportRectilinear(onDevice->buffers().structures().rectilinearTable());
     }
@@ -181,11 +183,11 @@ Command makeRenderCommand() {
     SettingList& settings = command.settings;
     settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
     settings.text("output", options->outputPath, "Picture to write: .exr (all channels) or .png")
-        .shortly("o")
-        .takes("FILE")
+        .withShortName("o")
+        .withValueName("FILE")
         .required();
     settings.size("size", options->size, "Width and height in pixels");
-    settings.text("stats", options->statsPath, "Write what it took as JSON").takes("FILE.json");
+    settings.text("stats", options->statsPath, "Write what it took as JSON").withValueName("FILE.json");
     settings.flag("quiet", options->quiet, "Print nothing but errors and warnings");
     declareCamera(settings, options->view);
     declareTone(settings, options->tone);

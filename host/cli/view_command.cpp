@@ -3,6 +3,7 @@
 #include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/version.h"
 #include "metamarch/error/error.h"
+#include "metamarch/render/traversal_choice.h"
 #include "metamarch/render/view_names.h"
 #include "metamarch/settings/render_settings.h"
 
@@ -94,10 +95,10 @@ void runView(const ViewerArguments& arguments) {
     settings.tone = arguments.tone;
     settings.hasPanels = !arguments.hasNoPanels;
     settings.traversal = arguments.traversal.empty()
-                             ? std::string(marchThrough(options.scene.structure.table))
+                             ? std::string(render::marchingTraversal(options.scene.structure.table))
                              : arguments.traversal;
     settings.secondTraversal = arguments.secondTraversal;
-    requireTable(options.scene.structure.table, settings.traversal);
+    render::requireTable(options.scene.structure.table, settings.traversal);
     if (!arguments.shown.empty()) {
         settings.view = std::ranges::find(render::kViewNames, arguments.shown, &render::ViewName::name)->view;
     }
@@ -146,7 +147,7 @@ Command makeViewCommand() {
     settings
         .text("shaders", arguments->shaderFolder,
               "Folder of shaders that is watched for changes (default: the one of the build)")
-        .takes("DIR");
+        .withValueName("DIR");
     declarePath(settings, arguments->path, arguments->samplesPerPixel);
     declareLight(settings, arguments->light);
     declareImport(settings, arguments->import);

@@ -13,14 +13,14 @@ constexpr std::uint32_t kMostTiles = 1u << 14u;
 
 } // namespace
 
-PathRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
-                               const ShadingBuffers& shading, const std::string& traversal,
-                               const PathSettings& settings, const Camera& camera,
-                               const std::uint32_t samples, const OnProgress& onProgress) {
+DeviceRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                                 const ShadingBuffers& shading, const std::string& traversal,
+                                 const PathSettings& settings, const Camera& camera,
+                                 const std::uint32_t samples, const OnProgress& onProgress) {
     const std::uint32_t tiles = Tiling(camera).count;
     const std::uint32_t atOnce = std::min(tiles, kMostTiles);
     PathTracer tracer(device, scene, shading, traversal, atOnce);
-    PathRender render;
+    DeviceRender render;
     render.film.resize(std::size_t{camera.width} * camera.height, emptyPixel());
     bool isOn = true;
     for (std::uint32_t first = 0; isOn && first < tiles; first += atOnce) {

@@ -2,28 +2,20 @@
 // Renders a whole picture with the path tracer on a Vulkan device.
 #pragma once
 #include "metamarch/reference/rows.h"
+#include "metamarch/render/device_render.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
-#include "metamarch/shared/film.h"
 #include "metamarch/shared/path_input.h"
 
 #include <string>
-#include <vector>
 
 namespace metamarch::render {
 
-struct PathRender {
-    std::vector<FilmPixel> film; // camera.width * camera.height, in rows from the top
-    double deviceSeconds = 0.0;  // of all submissions but the first
-    double firstSeconds = 0.0;   // of the first submission, in which the driver may compile the kernel
-    std::uint32_t submissions = 0;
-};
-
 // Takes `samples` samples of each pixel. Calls `onProgress` after each submission; if it cancels, pixels have
 // fewer samples, or none (emptyPixel()). Throws Error(outOfMemory) if the driver cuts a traversal short.
-PathRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
-                               const ShadingBuffers& shading, const std::string& traversal,
-                               const PathSettings& settings, const Camera& camera, std::uint32_t samples,
-                               const OnProgress& onProgress = {});
+DeviceRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                                 const ShadingBuffers& shading, const std::string& traversal,
+                                 const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                                 const OnProgress& onProgress = {});
 
 } // namespace metamarch::render

@@ -49,7 +49,9 @@ void renameAlpha(Image& image) {
 Image imageOf(const RenderResult& result) {
     const auto width = static_cast<int>(result.size.x);
     const auto height = static_cast<int>(result.size.y);
-    return filmImage(result.film, width, height, aovsOf(nameOf(result.settings.path.integrator)));
+    return filmImage(
+        result.film, width, height,
+        aovsOf(result.settings.isPrimary() ? AovWriter::everyIntegrator : AovWriter::pathTracer));
 }
 
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,

@@ -33,9 +33,9 @@ bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uin
 
 } // namespace
 
-PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
-                                    const std::string& traversal, const Camera& camera,
-                                    const OnProgress& onProgress) {
+DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
+                                   const std::string& traversal, const Camera& camera,
+                                   const OnProgress& onProgress) {
     const std::uint32_t tilesPerRow = (camera.width + kTileSide - 1) / kTileSide;
     const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
     WorkSize work(std::min(tiles, kMostTiles));
@@ -52,8 +52,8 @@ PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuf
     pipeline.bind(kBindOutput, output);
     vulkan::Submission submission(device);
 
-    PrimaryRender render;
-    render.pixels.resize(std::size_t{camera.width} * camera.height, emptyPixel());
+    DeviceRender render;
+    render.film.resize(std::size_t{camera.width} * camera.height, emptyPixel());
     bool isOn = true;
     for (std::uint32_t firstTile = 0; isOn && firstTile < tiles;) {
         const std::uint32_t count = std::min(work.units(), tiles - firstTile);
@@ -66,7 +66,7 @@ PrimaryRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuf
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
             const auto tile = tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>();
-            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.pixels)) {
+            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.film)) {
                 refuseCutShort(kCutShort, device, traversal);
             }
         }

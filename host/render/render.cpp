@@ -5,6 +5,7 @@
 #include "metamarch/reference/primary.h"
 #include "metamarch/render/path_renderer.h"
 #include "metamarch/render/primary_renderer.h"
+#include "metamarch/render/traversal_choice.h"
 
 #include <fmt/format.h>
 
@@ -55,8 +56,8 @@ RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const Re
     return result;
 }
 
-template <class Render>
-void takeTimes(const Render& render, RenderResult& result) {
+void take(DeviceRender render, RenderResult& result) {
+    result.film = std::move(render.film);
     result.seconds.firstSubmission = render.firstSeconds;
     result.seconds.device = render.deviceSeconds;
     result.submissions = render.submissions;
@@ -88,20 +89,18 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
     const auto draw = [&](RenderResult& result, const OnProgress& watch) {
         result.device = scene.device().name();
         result.driver = scene.device().report().driverInfo;
-        result.traversal = settings.traversal;
+        const TableMethod table = scene.scene().structure->options.table;
+        result.traversal = settings.traversal.empty() ? marchingTraversal(table) : settings.traversal;
+        requireTable(table, result.traversal);
         result.seconds.upload = scene.uploadSeconds();
         if (settings.isPrimary()) {
-            PrimaryRender render =
-                renderPrimaryOnDevice(scene.device(), scene.buffers(), settings.traversal, camera, watch);
-            takeTimes(render, result);
-            result.film = std::move(render.pixels);
+            take(renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, watch),
+                 result);
         } else {
-            PathRender render =
-                renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), settings.traversal,
-                                    settings.path.applied(scene.scene().shading->settings), camera,
-                                    settings.samplesPerPixel, watch);
-            takeTimes(render, result);
-            result.film = std::move(render.film);
+            take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal,
+                                     settings.path.applied(scene.scene().shading->settings), camera,
+                                     settings.samplesPerPixel, watch),
+                 result);
         }
     };
     return renderBy(scene.scene(), camera, settings, onProgress, draw);

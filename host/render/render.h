@@ -20,7 +20,8 @@ namespace metamarch::render {
 struct RenderSettings {
     PathChoice path;
     std::uint32_t samplesPerPixel = 64; // `primary` always takes one
-    std::string traversal;              // for a device; the CPU always uses kd_stack
+    // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
+    std::string traversal{};
 
     bool isPrimary() const { return path.integrator == Integrator::primary; }
 };

@@ -3,18 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace metamarch {
 namespace {
 
 Setting::Access scaleAccess(float& scale) {
     return {[&scale](const std::string& text) {
-                SettingList parser;
-                float given = 0.0f;
-                parser.number("scale", given, {.wanted = "a finite number other than 0"}, "").set(text);
+                const NumberRange range{.wanted = "a finite number other than 0"};
+                const float given = parseFloat(text, range);
                 if (given == 0.0f) {
-                    throw Error(ErrorKind::invalidArgument, "give a finite number other than 0");
+                    throw Error(ErrorKind::invalidArgument, "give " + range.wanted);
                 }
                 scale = given;
             },
@@ -25,14 +22,15 @@ Setting::Access scaleAccess(float& scale) {
 
 void declareImport(SettingList& list, ImportOptions& options) {
     list.beginGroup("Scene");
-    list.add("scale", Setting::Kind::value, scaleAccess(options.scale), "Multiply the scene by S").takes("S");
+    list.add("scale", Setting::Kind::value, scaleAccess(options.scale), "Multiply the scene by S")
+        .withValueName("S");
     list.text("variant", options.variant, "Material variant (default: the file's own materials)")
-        .takes("NAME|INDEX");
+        .withValueName("NAME|INDEX");
     list.number("time", options.time, {.wanted = "finite seconds"},
                 "Pose the animations at this time (default: as the file stands)")
-        .takes("SECONDS");
+        .withValueName("SECONDS");
     list.text("animation", options.animation, "Pose by this animation alone (default: by all)")
-        .takes("NAME|INDEX")
+        .withValueName("NAME|INDEX")
         .needs({"time"});
     list.flag("allow-missing-textures", options.allowMissingTextures,
               "Warn of textures that cannot be read and go on without them");

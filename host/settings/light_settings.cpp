@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "metamarch/settings/number_list.h"
+#include "metamarch/settings/number_text.h"
 #include "metamarch/settings/render_settings.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace metamarch {
 namespace {
@@ -41,26 +43,49 @@ Setting::Access skyAccess(LightChoice& light) {
             [&light] { return std::string(light.kind == Kind::sky ? "on" : "off"); }};
 }
 
+// Where the sun stands, in radians.
+struct SunAngles {
+    float elevation;
+    float azimuth;
+
+    bool operator==(const SunAngles&) const = default;
+};
+
+SunAngles anglesOf(const std::string& text) {
+    const glm::dvec3 given = parsePoint(text);
+    if (given == glm::dvec3(0.0)) {
+        throw Error(ErrorKind::invalidArgument, "give a direction, not 0,0,0");
+    }
+    // The float next to pi / 2 is greater, and would put a sun at the zenith onto the other side of it.
+    const float zenith = std::nextafter(std::numbers::pi_v<float> / 2.0f, 0.0f);
+    const auto elevation = static_cast<float>(std::atan2(given.y, std::hypot(given.x, given.z)));
+    return {std::clamp(elevation, -zenith, zenith), static_cast<float>(std::atan2(given.z, given.x))};
+}
+
+std::string directionText(const SunAngles& sun) {
+    const double elevation = sun.elevation;
+    const double azimuth = sun.azimuth;
+    return shortestText(
+        [&](const int digits) {
+            const double across = std::cos(elevation);
+            return fmt::format("{:.{}g},{:.{}g},{:.{}g}", across * std::cos(azimuth), digits,
+                               std::sin(elevation), digits, across * std::sin(azimuth), digits);
+        },
+        [&](const std::string& text) { return anglesOf(text) == sun; });
+}
+
 Setting::Access sunAccess(LightChoice& light) {
     return {[&light](const std::string& text) {
-                const glm::dvec3 given = parsePoint(text);
-                if (given == glm::dvec3(0.0)) {
-                    throw Error(ErrorKind::invalidArgument, "give a direction, not 0,0,0");
-                }
-                const glm::dvec3 direction = glm::normalize(given);
+                const SunAngles sun = anglesOf(text);
                 light.kind = Kind::sky;
-                light.sunElevation = static_cast<float>(std::asin(direction.y));
-                light.sunAzimuth = static_cast<float>(std::atan2(direction.z, direction.x));
+                light.sunElevation = sun.elevation;
+                light.sunAzimuth = sun.azimuth;
             },
             [&light] {
                 const LightChoice plain;
-                const bool isMoved =
-                    light.sunElevation != plain.sunElevation || light.sunAzimuth != plain.sunAzimuth;
-                const float across = std::cos(light.sunElevation);
-                return light.kind == Kind::sky && isMoved
-                           ? fmt::format("{:.6g},{:.6g},{:.6g}", across * std::cos(light.sunAzimuth),
-                                         std::sin(light.sunElevation), across * std::sin(light.sunAzimuth))
-                           : "";
+                const SunAngles sun{light.sunElevation, light.sunAzimuth};
+                const bool isMoved = sun != SunAngles{plain.sunElevation, plain.sunAzimuth};
+                return light.kind == Kind::sky && isMoved ? directionText(sun) : "";
             }};
 }
 
@@ -70,7 +95,7 @@ void declareLight(SettingList& list, LightChoice& light) {
     list.beginGroup("Light (default: the scene's; a clear sky where it has none)");
     list.add("env", Setting::Kind::value, mapAccess(light),
              "Equirectangular map, HDR or EXR, that lights the scene from all around and is its background")
-        .takes("FILE")
+        .withValueName("FILE")
         .excludes({"background", "sky", "sun"});
     list.angle("env-rotation", light.rotation, {.wanted = "finite degrees"},
                "Turn the map around y, from +z towards +x")
@@ -78,16 +103,16 @@ void declareLight(SettingList& list, LightChoice& light) {
     list.number("env-intensity", light.intensity,
                 {0.0, std::numeric_limits<float>::max(), "a finite number of at least 0"},
                 "Multiply the radiance of map or sky")
-        .takes("F")
+        .withValueName("F")
         .slides({0.01, 100.0, "%.2f", true});
     list.add("background", Setting::Kind::value, backgroundAccess(light), "The same radiance from everywhere")
-        .takes("r,g,b")
+        .withValueName("r,g,b")
         .excludes({"env", "sky", "sun"});
     list.add("sky", Setting::Kind::flag, skyAccess(light), "A clear sky with its sun")
         .excludes({"env", "background"});
     list.add("sun", Setting::Kind::value, sunAccess(light),
              "Where the sun stands, as a direction (default 45 degrees above +x)")
-        .takes("x,y,z")
+        .withValueName("x,y,z")
         .excludes({"env", "background"});
 }
 

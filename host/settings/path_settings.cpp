@@ -24,7 +24,7 @@ void declareIntegrator(SettingList& list, PathChoice& path, const std::size_t in
 
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel) {
     list.beginGroup(kGroup);
-    list.count("spp", samplesPerPixel, 1, kMostSamples, "Samples a pixel").shortly("s");
+    list.count("spp", samplesPerPixel, 1, kMostSamples, "Samples a pixel").withShortName("s");
     list.count("seed", path.seed, 0, 0xffffffffu, "Another seed draws other samples");
     list.count("max-bounces", path.maxBounces, 0, kMostBounces,
                "Scatter a path this often at most; 0: direct light alone")
@@ -32,7 +32,7 @@ void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerP
     list.number("clamp", path.clamp,
                 {0.0, std::numeric_limits<float>::max(), "a finite luminance of at least 0"},
                 "Limit what one connection to a light adds to a sample, in luminance; 0: no limit")
-        .takes("L");
+        .withValueName("L");
     list.choice("brdf", path.brdf, kBrdfs,
                 "compensated: rough surfaces keep their energy; gltf: single scattering to the letter of "
                 "glTF 2.0, Appendix B");

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/settings/setting.h"
 
-#include "metamarch/settings/number_list.h"
+#include "metamarch/settings/number_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -17,43 +16,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& wanted) {
     throw Error(ErrorKind::invalidArgument, "give " + wanted);
-}
-
-// The number that all of `text` is. A leading + is allowed, which std::from_chars does not know.
-template <class Number>
-std::optional<Number> parseNumber(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
-        text.remove_prefix(1);
-    }
-    Number number{};
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
-double numberWithin(const std::string& text, const NumberRange& range) {
-    const std::optional<double> number = parseNumber<double>(text);
-    if (!number || !(*number >= range.least && *number <= range.most)) {
-        refuse(range.wanted);
-    }
-    return *number;
-}
-
-// The number in single precision. A number that overflows there, or that rounds to 0, is refused.
-float floatWithin(const std::string& text, const NumberRange& range) {
-    const double number = numberWithin(text, range);
-    const auto single = static_cast<float>(number);
-    if (!(std::abs(single) <= std::numeric_limits<float>::max()) || (single == 0.0f) != (number == 0.0)) {
-        refuse(range.wanted);
-    }
-    return single;
-}
-
-std::uint32_t countWithin(const std::string& text, const std::uint32_t least, const std::uint32_t most) {
-    const std::optional<std::uint32_t> number = parseNumber<std::uint32_t>(text);
-    if (!number || *number < least || *number > most) {
-        refuse(fmt::format("a whole number from {} to {}", least, most));
-    }
-    return *number;
 }
 
 template <class T>
@@ -81,6 +43,27 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
     }
 }
 
+template <class Settings>
+auto& settingNamed(Settings& settings, const std::string_view name) {
+    const auto found = std::ranges::find(settings, name, &Setting::name);
+    if (found == settings.end()) {
+        throw std::out_of_range("no setting " + std::string(name));
+    }
+    return *found;
+}
+
+// The value as a word of a shell's command line.
+std::string shellWord(const std::string& value) {
+    if (value.find_first_of(" \t'\"$&;|<>()*?[]`\\") == std::string::npos) {
+        return value;
+    }
+    std::string word = "'";
+    for (const char letter : value) {
+        word += letter == '\'' ? "'\\''" : std::string(1, letter);
+    }
+    return word + "'";
+}
+
 } // namespace
 
 Setting::Setting(std::string settingName, const Kind settingKind, Access valueAccess, std::string helpText)
@@ -101,19 +84,19 @@ void Setting::set(const std::string& text) {
     isGiven_ = true;
 }
 
-Setting& Setting::in(const std::string& groupName) {
+Setting& Setting::inGroup(const std::string& groupName) {
     group_ = groupName;
     return *this;
 }
-Setting& Setting::takes(const std::string& placeholder) {
+Setting& Setting::withValueName(const std::string& placeholder) {
     valueName_ = placeholder;
     return *this;
 }
-Setting& Setting::shortly(const std::string& letter) {
+Setting& Setting::withShortName(const std::string& letter) {
     shortName_ = letter;
     return *this;
 }
-Setting& Setting::also(const std::string& otherName) {
+Setting& Setting::withOtherName(const std::string& otherName) {
     otherName_ = otherName;
     return *this;
 }
@@ -140,7 +123,7 @@ Setting& Setting::slides(const Slider& range) {
 
 Setting& SettingList::add(const std::string& name, const Setting::Kind kind, Setting::Access access,
                           const std::string& help) {
-    return settings.emplace_back(name, kind, std::move(access), help).in(group);
+    return settings.emplace_back(name, kind, std::move(access), help).inGroup(group);
 }
 
 Setting& SettingList::flag(const std::string& name, bool& value, const std::string& help) {
@@ -160,7 +143,7 @@ Setting& SettingList::flagOff(const std::string& name, bool& value, const std::s
 Setting& SettingList::number(const std::string& name, double& value, const NumberRange& range,
                              const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, range](const std::string& text) { value = numberWithin(text, range); },
+               {[&value, range](const std::string& text) { value = parseNumber(text, range); },
                 [&value] { return fmt::format("{}", value); }},
                help);
 }
@@ -168,7 +151,7 @@ Setting& SettingList::number(const std::string& name, double& value, const Numbe
 Setting& SettingList::number(const std::string& name, float& value, const NumberRange& range,
                              const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, range](const std::string& text) { value = floatWithin(text, range); },
+               {[&value, range](const std::string& text) { value = parseFloat(text, range); },
                 [&value] { return fmt::format("{}", value); }},
                help);
 }
@@ -176,7 +159,7 @@ Setting& SettingList::number(const std::string& name, float& value, const Number
 Setting& SettingList::number(const std::string& name, std::optional<double>& value, const NumberRange& range,
                              const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, range](const std::string& text) { value = numberWithin(text, range); },
+               {[&value, range](const std::string& text) { value = parseNumber(text, range); },
                 [&value] { return textOf(value); }},
                help);
 }
@@ -184,41 +167,45 @@ Setting& SettingList::number(const std::string& name, std::optional<double>& val
 Setting& SettingList::number(const std::string& name, std::optional<float>& value, const NumberRange& range,
                              const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, range](const std::string& text) { value = floatWithin(text, range); },
+               {[&value, range](const std::string& text) { value = parseFloat(text, range); },
                 [&value] { return textOf(value); }},
                help);
 }
 
 Setting& SettingList::angle(const std::string& name, float& radians, const NumberRange& degrees,
                             const std::string& help) {
+    const auto radiansOf = [degrees](const std::string& text) {
+        const double turn = std::fmod(parseNumber(text, degrees), 360.0);
+        return static_cast<float>(turn * std::numbers::pi / 180.0);
+    };
     return add(name, Setting::Kind::value,
-               {[&radians, degrees](const std::string& text) {
-                    const double turn = std::fmod(numberWithin(text, degrees), 360.0);
-                    radians = static_cast<float>(turn * std::numbers::pi / 180.0);
-                },
-                [&radians] {
-                    return fmt::format("{:.6g}", static_cast<double>(radians) * 180.0 / std::numbers::pi);
+               {[&radians, radiansOf](const std::string& text) { radians = radiansOf(text); },
+                [&radians, radiansOf] {
+                    const double turn = static_cast<double>(radians) * 180.0 / std::numbers::pi;
+                    return shortestText(
+                        [&](const int digits) { return fmt::format("{:.{}g}", turn, digits); },
+                        [&](const std::string& text) { return radiansOf(text) == radians; });
                 }},
                help)
-        .takes("DEG");
+        .withValueName("DEG");
 }
 
 Setting& SettingList::count(const std::string& name, std::uint32_t& value, const std::uint32_t least,
                             const std::uint32_t most, const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, least, most](const std::string& text) { value = countWithin(text, least, most); },
+               {[&value, least, most](const std::string& text) { value = parseCount(text, least, most); },
                 [&value] { return fmt::format("{}", value); }},
                help)
-        .takes("N");
+        .withValueName("N");
 }
 
 Setting& SettingList::count(const std::string& name, std::optional<std::uint32_t>& value,
                             const std::uint32_t least, const std::uint32_t most, const std::string& help) {
     return add(name, Setting::Kind::value,
-               {[&value, least, most](const std::string& text) { value = countWithin(text, least, most); },
+               {[&value, least, most](const std::string& text) { value = parseCount(text, least, most); },
                 [&value] { return textOf(value); }},
                help)
-        .takes("N");
+        .withValueName("N");
 }
 
 Setting& SettingList::text(const std::string& name, std::string& value, const std::string& help) {
@@ -230,7 +217,7 @@ Setting& SettingList::file(const std::string& name, std::filesystem::path& value
     return add(name, Setting::Kind::value,
                {[&value](const std::string& given) { value = given; }, [&value] { return value.string(); }},
                help)
-        .takes("FILE");
+        .withValueName("FILE");
 }
 
 Setting& SettingList::point(const std::string& name, std::optional<glm::vec3>& value,
@@ -239,7 +226,7 @@ Setting& SettingList::point(const std::string& name, std::optional<glm::vec3>& v
                {[&value](const std::string& text) { value = glm::vec3(parsePoint(text)); },
                 [&value] { return value ? fmt::format("{},{},{}", value->x, value->y, value->z) : ""; }},
                help)
-        .takes("x,y,z");
+        .withValueName("x,y,z");
 }
 
 Setting& SettingList::size(const std::string& name, glm::uvec2& value, const std::string& help) {
@@ -247,7 +234,7 @@ Setting& SettingList::size(const std::string& name, glm::uvec2& value, const std
                {[&value](const std::string& text) { value = parseSize(text); },
                 [&value] { return fmt::format("{}x{}", value.x, value.y); }},
                help)
-        .takes("WxH");
+        .withValueName("WxH");
 }
 
 Setting& SettingList::word(const std::string& name, std::string& value, std::vector<std::string> names,
@@ -271,37 +258,26 @@ Setting& SettingList::positional(const std::string& name, std::string& value, co
 
 Setting& SettingList::positionals(const std::string& name, std::vector<std::string>& value,
                                   const std::string& help) {
-    return add(name, Setting::Kind::positional,
+    return add(name, Setting::Kind::positionals,
                {[&value](const std::string& given) { value.push_back(given); },
                 [&value] { return fmt::format("{}", fmt::join(value, " ")); }},
                help)
-        .takes("...")
         .required();
 }
 
-const Setting& SettingList::at(const std::string_view name) const {
-    const auto found = std::ranges::find(settings, name, &Setting::name);
-    if (found == settings.end()) {
-        throw std::out_of_range("no setting " + std::string(name));
-    }
-    return *found;
-}
-
-Setting& SettingList::at(const std::string_view name) {
-    return const_cast<Setting&>(std::as_const(*this).at(name));
-}
+Setting& SettingList::at(const std::string_view name) { return settingNamed(settings, name); }
+const Setting& SettingList::at(const std::string_view name) const { return settingNamed(settings, name); }
 
 std::string SettingList::changedText(const std::span<const std::string_view> without) const {
     std::string text;
     for (const Setting& setting : settings) {
-        if (setting.kind() == Setting::Kind::positional || !setting.isChanged() ||
+        if (setting.isPositional() || !setting.isChanged() ||
             std::ranges::find(without, setting.name()) != without.end()) {
             continue;
         }
         text += fmt::format("{}--{}", text.empty() ? "" : " ", setting.name());
         if (setting.kind() != Setting::Kind::flag) {
-            const std::string value = setting.text();
-            text += value.find(' ') == std::string::npos ? ' ' + value : " '" + value + "'";
+            text += ' ' + shellWord(setting.text());
         }
     }
     return text;

@@ -3,13 +3,13 @@
 // statistics and the headers of pictures all read the same list of them.
 #pragma once
 #include "metamarch/error/error.h"
+#include "metamarch/settings/number_text.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <list>
 #include <optional>
 #include <span>
@@ -19,14 +19,6 @@
 #include <vector>
 
 namespace metamarch {
-
-// The values that a number may have, both ends included, and the words that ask for one: "degrees between 0
-// and 180". NaN is in no range.
-struct NumberRange {
-    double least = -std::numeric_limits<double>::max();
-    double most = std::numeric_limits<double>::max();
-    std::string wanted = "a finite number";
-};
 
 // The part of a number's range that a slider in a panel covers.
 struct Slider {
@@ -47,12 +39,13 @@ class Setting {
         std::function<std::string()> text;
     };
 
-    enum class Kind { flag, value, list, positional };
+    enum class Kind { flag, value, list, positional, positionals };
 
     Setting(std::string settingName, Kind settingKind, Access valueAccess, std::string helpText);
 
     const std::string& name() const { return name_; } // words with hyphens between: "max-bounces"
     Kind kind() const { return kind_; }
+    bool isPositional() const { return kind_ == Kind::positional || kind_ == Kind::positionals; }
     const std::string& help() const { return help_; }
     const std::string& group() const { return group_; }
     const std::string& valueName() const { return valueName_; }
@@ -71,11 +64,11 @@ class Setting {
     bool isGiven() const { return isGiven_; }                 // set() was called
 
     // The rest of the declaration.
-    Setting& in(const std::string& groupName);
-    Setting& takes(const std::string& placeholder); // the value's name in the help: "DEG"
-    Setting& shortly(const std::string& letter);    // "o" for -o
-    Setting& also(const std::string& otherName);    // a second name, for those who expect it
-    Setting& oneOf(std::vector<std::string> names); // other values are refused
+    Setting& inGroup(const std::string& groupName);
+    Setting& withValueName(const std::string& placeholder); // the value's name in the help: "DEG"
+    Setting& withShortName(const std::string& letter);      // "o" for -o
+    Setting& withOtherName(const std::string& otherName);   // a second name that users expect
+    Setting& oneOf(std::vector<std::string> names);         // other values are refused
     Setting& excludes(std::vector<std::string> others);
     Setting& needs(std::vector<std::string> others); // all of them
     Setting& required();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/accel/partition_file.h"
-#include "metamarch/settings/number_list.h"
+#include "metamarch/settings/number_text.h"
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/shared/kd_node.h"
 
@@ -30,13 +30,8 @@ Setting::Access unitAccess(std::optional<glm::dvec3>& unit) {
 Setting::Access cellsAccess(std::optional<std::uint64_t>& cells) {
     static constexpr double kFarOverTheLimit = 0x1p62;
     return {[&cells](const std::string& text) {
-                SettingList parser;
-                double count = 0.0;
-                parser
-                    .number("cells", count,
-                            {1.0, std::numeric_limits<double>::infinity(), "the number of cells, at least 1"},
-                            "")
-                    .set(text);
+                const double count = parseNumber(
+                    text, {1.0, std::numeric_limits<double>::infinity(), "the number of cells, at least 1"});
                 cells = static_cast<std::uint64_t>(std::min(count, kFarOverTheLimit));
             },
             [&cells] { return cells ? fmt::format("{}", *cells) : ""; }};
@@ -67,14 +62,14 @@ void declareStructure(SettingList& list, AccelerationOptions& options) {
     list.beginGroup("Tree and table");
     list.count("tree-depth", options.treeDepth, 0, kMaxTreeDepth,
                "Deepest level of the kd-tree (default: from the number of triangles)")
-        .takes("D");
+        .withValueName("D");
     list.add("unit", Setting::Kind::value, unitAccess(options.unit),
              "Unit length of the lattice in scene units, one or one per axis")
-        .takes("U|Ux,Uy,Uz")
+        .withValueName("U|Ux,Uy,Uz")
         .excludes({"cells", "partition"});
     list.add("cells", Setting::Kind::value, cellsAccess(options.cells),
              "About how many cells the lattice has (default: from the number of triangles)")
-        .takes("N")
+        .withValueName("N")
         .excludes({"unit", "partition"});
     list.choice(
         "table", options.table, kTableMethods,
@@ -86,19 +81,19 @@ void declareStructure(SettingList& list, AccelerationOptions& options) {
                  "a length greater than 0"},
                 "With --table gcd: planes are rounded to multiples of Q scene units (default: 1/256 of the "
                 "longest side)")
-        .takes("Q")
+        .withValueName("Q")
         .needs({"table"});
     list.flag("merge", options.mergeLeaves, "Merge leaves of the table where that costs a ray no more")
         .excludes({"partition"});
     list.add("partition", Setting::Kind::value, partitionAccess(options.partition),
              "March these boxes of whole cells in place of the kd-tree's leaves")
-        .takes("FILE.json")
+        .withValueName("FILE.json")
         .excludes({"unit", "cells", "merge"});
     list.flagOff("no-exit-boxes", options.exitBoxes,
                  "Leave each leaf by its own box, not by one grown over neighbours");
     list.add("preset", Setting::Kind::value, presetAccess(options),
              "paper: kd-tree depth 16 and no exit boxes, as in the paper's experiment")
-        .takes("NAME")
+        .withValueName("NAME")
         .oneOf({"paper"});
 }
 

@@ -12,7 +12,7 @@ void declareTone(SettingList& list, ToneMapping& tone) {
         "off at 1");
     list.number("exposure", tone.exposure, {-kMostStops, kMostStops, "stops from -100 to 100"},
                 "Double the light this often before that")
-        .takes("STOPS")
+        .withValueName("STOPS")
         .slides({-10.0, 10.0, "%.2f stops"});
 }
 

@@ -138,7 +138,7 @@ void drawRenderer(ViewerState& state) {
     drawViewChoice(settings);
     int samples = static_cast<int>(settings.samples);
     if (ImGui::InputInt("samples", &samples, 64, 1024, ImGuiInputTextFlags_EnterReturnsTrue)) {
-        settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, 1 << 24));
+        settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, static_cast<int>(kMostSamples)));
     }
     drawTraversals(state);
     for (Setting& setting : state.controls.all()) {

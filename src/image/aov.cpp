@@ -71,10 +71,10 @@ std::vector<std::string> Aov::channels() const {
 
 std::span<const Aov> aovs() { return kAovs; }
 
-std::vector<Aov> aovsOf(const std::string_view integrator) {
+std::vector<Aov> aovsOf(const AovWriter writer) {
     std::vector<Aov> written;
     std::ranges::copy_if(kAovs, std::back_inserter(written), [&](const Aov& aov) {
-        return aov.writer == AovWriter::everyIntegrator || integrator != "primary";
+        return aov.writer == AovWriter::everyIntegrator || writer == AovWriter::pathTracer;
     });
     return written;
 }

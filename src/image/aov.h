@@ -28,8 +28,8 @@ struct Aov {
 // Returns the table in the order of a picture's channels.
 std::span<const Aov> aovs();
 
-// Returns the channels that an integrator writes: "primary" has fewer than those of the path tracer.
-std::vector<Aov> aovsOf(std::string_view integrator);
+// Returns what the primary integrator writes (everyIntegrator), or what the path tracer writes: everything.
+std::vector<Aov> aovsOf(AovWriter writer);
 
 // Returns the table as text, one line per row.
 std::string aovText();

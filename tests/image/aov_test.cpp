@@ -53,10 +53,8 @@ TEST(Aov, isListedInTheReadme) {
 }
 
 TEST(Aov, isWrittenByItsIntegrators) {
-    for (const std::string_view integrator : {"path", "direct", "ao"}) {
-        EXPECT_EQ(aovsOf(integrator).size(), aovs().size());
-    }
-    const std::vector<Aov> ofPrimary = aovsOf("primary");
+    EXPECT_EQ(aovsOf(AovWriter::pathTracer).size(), aovs().size());
+    const std::vector<Aov> ofPrimary = aovsOf(AovWriter::everyIntegrator);
     EXPECT_LT(ofPrimary.size(), aovs().size());
     for (const Aov& aov : ofPrimary) {
         EXPECT_EQ(aov.writer, AovWriter::everyIntegrator) << aov.names;

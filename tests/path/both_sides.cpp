@@ -22,8 +22,8 @@ std::vector<FilmPixel> BothSides::onCpu(const PathWork& work) const {
     return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
 }
 
-render::PathRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
-                                       const Where where) const {
+render::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
+                                         const Where where) const {
     const vulkan::Device& device = vulkan::testDevice();
     const render::SceneBuffers buffers =
         where == Where::fasterMemory

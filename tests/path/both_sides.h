@@ -24,8 +24,8 @@ class BothSides {
 
     enum class Where { fasterMemory, storageBuffers };
 
-    render::PathRender onDevice(const std::string& traversal, const PathWork& work,
-                                Where where = Where::fasterMemory) const;
+    render::DeviceRender onDevice(const std::string& traversal, const PathWork& work,
+                                  Where where = Where::fasterMemory) const;
 
   private:
     PathScene made;

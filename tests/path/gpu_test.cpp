@@ -64,7 +64,7 @@ TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
 TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {100, 70});
     const PathWork many{.samples = 37, .maxBounces = 2};
-    const render::PathRender whole = sides.onDevice(kDefaultTraversal, many);
+    const render::DeviceRender whole = sides.onDevice(kDefaultTraversal, many);
     EXPECT_GE(whole.submissions, 4u);
     expectSameFilm(whole.film, sides.onCpu(many));
 }

@@ -68,7 +68,7 @@ TEST(Setting, ReachesTheLibrarysStructs) {
     const std::pair<const char*, const char*> given[] = {
         {"spp", "+16"},          {"integrator", "ao"},    {"brdf", "gltf"},  {"clamp", "2.5"},
         {"env", "sky.hdr"},      {"env-rotation", "450"}, {"vfov", "30"},    {"eye", "1,2,3"},
-        {"target", "0,0,0"},     {"filter", "tent"},      {"table", "gcd"},  {"cells", "1e6"},
+        {"target", "+1,0,0"},    {"filter", "tent"},      {"table", "gcd"},  {"cells", "1e6"},
         {"no-exit-boxes", "on"}, {"merge", "on"},         {"scale", "-2"},   {"time", "0.5"},
         {"tone-map", "agx"},     {"exposure", "-1"},      {"unit", "1,2,4"}, {"orthographic", "3"},
     };
@@ -87,6 +87,7 @@ TEST(Setting, ReachesTheLibrarysStructs) {
     EXPECT_EQ(picture.view.verticalFov, 30.0);
     EXPECT_EQ(picture.view.eye, glm::vec3(1.0f, 2.0f, 3.0f));
     EXPECT_EQ(picture.view.lens.pixelFilter, kFilterTent);
+    EXPECT_EQ(picture.view.target, glm::vec3(1.0f, 0.0f, 0.0f));
     EXPECT_EQ(picture.view.orthographicHeight, 3.0f);
     EXPECT_EQ(picture.structure.table, TableMethod::gcd);
     EXPECT_EQ(picture.structure.cells, 1000000u);
@@ -101,19 +102,46 @@ TEST(Setting, ReachesTheLibrarysStructs) {
 
 // The panel reads a value as text, and a header's options are typed again.
 TEST(Setting, TakesItsOwnTextBack) {
-    Picture picture;
     const std::pair<const char*, const char*> given[] = {
-        {"spp", "7"},      {"seed", "4294967295"}, {"max-bounces", "0"},       {"clamp", "0.1"},
-        {"sun", "1,2,3"},  {"env-rotation", "12"}, {"env-intensity", "0.001"}, {"aperture", "1e-5"},
-        {"vfov", "33.3"},  {"eye", "0.1,-2,3e5"},  {"tree-depth", "12"},       {"unit", "0.25"},
-        {"scale", "1e-3"}, {"quantum", "0.125"},   {"focus-distance", "0.7"},  {"up", "0,0,1"},
+        {"spp", "7"},
+        {"seed", "4294967295"},
+        {"max-bounces", "0"},
+        {"clamp", "0.1"},
+        {"sun", "1,2,3"},
+        {"sun", "-1e-3,0.7,-2"},
+        {"sun", "0,1,0"},
+        {"env-rotation", "12.345678"},
+        {"env-rotation", "-0.1"},
+        {"env-intensity", "0.001"},
+        {"aperture", "1e-5"},
+        {"vfov", "33.3"},
+        {"eye", "0.1,-2,3e5"},
+        {"tree-depth", "12"},
+        {"unit", "0.25"},
+        {"scale", "1e-3"},
+        {"quantum", "0.125"},
+        {"focus-distance", "0.7"},
+        {"up", "0,0,1"},
+        {"time", "0.1"},
+        {"background", "0.1,0.2,0.3"},
+        {"exposure", "0.3"},
     };
     for (const auto& [name, text] : given) {
-        Setting& setting = picture.settings.at(name);
-        setting.set(text);
-        const std::string once = setting.text();
-        setting.set(once);
-        EXPECT_EQ(setting.text(), once) << name;
+        Picture typed;
+        typed.settings.at(name).set(text);
+        Picture again;
+        again.settings.at(name).set(typed.settings.at(name).text());
+        EXPECT_EQ(again.settings.at(name).text(), typed.settings.at(name).text()) << name << ' ' << text;
+        EXPECT_TRUE(again.settings.at(name).isChanged()) << name << ' ' << text;
+        EXPECT_EQ(again.light, typed.light) << name << ' ' << text;
+        EXPECT_EQ(again.path, typed.path) << name << ' ' << text;
+        EXPECT_EQ(again.import, typed.import) << name << ' ' << text;
+        EXPECT_EQ(again.tone, typed.tone) << name << ' ' << text;
+        EXPECT_EQ(again.view.eye, typed.view.eye) << name << ' ' << text;
+        EXPECT_EQ(again.view.verticalFov, typed.view.verticalFov) << name << ' ' << text;
+        EXPECT_EQ(again.view.lens.apertureRadius, typed.view.lens.apertureRadius) << name << ' ' << text;
+        EXPECT_EQ(again.structure.unit, typed.structure.unit) << name << ' ' << text;
+        EXPECT_EQ(again.structure.quantum, typed.structure.quantum) << name << ' ' << text;
     }
 }
 
@@ -155,6 +183,8 @@ TEST(Setting, WritesWhatDiffersAsACommandLine) {
     lit.settings.at("sky").set("on");
     lit.settings.at("camera").set("Front view");
     EXPECT_EQ(lit.settings.changedText(), "--camera 'Front view' --sky");
+    lit.settings.at("camera").set("Ann's $1");
+    EXPECT_EQ(lit.settings.changedText(), "--camera 'Ann'\\''s $1' --sky");
 }
 
 TEST(Setting, PresetAndTreeDepthGoTogetherInEitherOrder) {

@@ -18,7 +18,7 @@ int main(const int argc, char** argv) try {
     }
     constexpr int kSide = 64;
     const auto scene = std::make_shared<const Scene>(loadScene(argv[1]));
-    const render::RenderSettings settings{.path = {}, .samplesPerPixel = 4, .traversal = {}};
+    const render::RenderSettings settings{.path = {}, .samplesPerPixel = 4};
     render::PreparedScene prepared(scene, {});  // builds tree and table
     prepared.light(argv[1], settings.path, {}); // the scene's own lights, or a sky
     const Camera camera = makeCamera(scene->cameras.at(0), kSide, kSide);

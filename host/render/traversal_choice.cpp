@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "metamarch/render/traversal_choice.h"
+
+#include "metamarch/error/error.h"
+#include "metamarch/shaders/shader_library.h"
+
+#include <fmt/format.h>
+
+namespace metamarch::render {
+
+std::string_view marchingTraversal(const TableMethod method) {
+    return method == TableMethod::rectilinear ? "rectilinear_table" : traversals().front();
+}
+
+void requireTable(const TableMethod method, const std::string_view traversal) {
+    if (method == TableMethod::rectilinear && traversal != marchingTraversal(method)) {
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("the rectilinear table is marched by {} alone, not by {}",
+                                marchingTraversal(method), traversal),
+                    {"table", "traversal"});
+    }
+}
+
+} // namespace metamarch::render
