@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`metamarch bench` from outside: what it prints and writes, and what it refuses."""
+"""Tests `metamarch bench` from outside: its output, its files and its refusals."""
 import csv
 import json
 import struct
@@ -33,7 +33,7 @@ class TraversalTest(ProgramTest):
             self.assertLessEqual(ROW_KEYS, row.keys())
             self.assertGreater(row["mraysPerSecond"], 0)
         for row in on_device:
-            if row["traversal"] != "ray_query":  # what the driver reads is its business
+            if row["traversal"] != "ray_query":  # the bytes that the driver reads are unknown
                 self.assertGreater(row["bytesPerRay"], 0, row)
             self.assertEqual(row["differingHits"], 0, row)
 

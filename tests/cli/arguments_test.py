@@ -14,14 +14,15 @@ from concurrent.futures import ThreadPoolExecutor
 
 from program import SCENES, ProgramTest, main
 
-# Of the program at a time: a start takes 0.3 s, most of it in the dynamic linker, and there are 200. CTest knows the number.
+# Number of processes at a time: a start takes 0.3 s, most of it in the dynamic linker, and there are 200 of them. CTest
+# knows the number.
 PROCESSES = 2
 NO_OUTPUT = r""
 ANYTHING = r".*"
 
 
 def png(path, color):
-    """A 2x1 picture of one RGB colour, written by hand: the tests need no image library."""
+    """Writes a 2x1 picture of one RGB colour without an image library."""
     def chunk(name, body):
         return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
 
@@ -31,7 +32,7 @@ def png(path, color):
 
 
 def triangle(path, **members):
-    """A glTF of one triangle with material 0, where `members` have one; they replace what they name."""
+    """Writes a glTF of one triangle, with material 0 if `members` have materials. `members` replace other members."""
     primitive = {"attributes": {"POSITION": 0}, **({"material": 0} if "materials" in members else {})}
     buffer = base64.b64encode(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)).decode()
     path.write_text(json.dumps({
@@ -64,7 +65,7 @@ def make_files(tmp):
     position = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
     triangle(tmp / "indices.gltf", meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
              accessors=[position, {"bufferView": 0, "componentType": 5121, "count": 36, "type": "SCALAR"}])
-    # The first position is no normal.
+    # The first position is not a normal.
     triangle(tmp / "normals.gltf", meshes=[{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0}}]}])
     for ending in ("glb", "gltf", "obj", "ply", "off", "stl"):
         (tmp / f"empty.{ending}").write_bytes(b"")
@@ -202,7 +203,7 @@ CASES = [
     ("info cornell.glb --scale 1e30", 3, NO_OUTPUT, r"the scene's longest side is 5.59e\+29, .* scale it \(--scale\)"),
     ("info cornell.glb --scale -1", 0, r"vertices +64\n.*", NO_OUTPUT),
     ("info cornell.glb --scale 1e-30", 0, ANYTHING, r"warning: all 32 triangles are degenerate, nothing is visible; .*"),
-    # what of a scene is wanted
+    # choices of the scene's parts
     ("info cornell.glb --variant red", 2, NO_OUTPUT, r"there is no variant red; the scene has none \(--variant\)"),
     ("info variants.gltf --variant blue", 2, NO_OUTPUT, r"there is no variant blue; the scene has 0 'red', 1 'green' \(--variant\)"),
     ("info variants.gltf --variant green", 0, r"vertices +3\n.*", NO_OUTPUT),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `compare` reports and writes."""
+"""The reports and the files of `compare`."""
 import json
 
 from arguments_test import make_files

@@ -26,7 +26,7 @@ class ContactSheetTest(ProgramTest):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "all.png: 2 scenes, 0 failed\n", ""))
         picture = self.read_picture("all.png")
         self.assertEqual((len(picture["R"]), len(picture["R"][0])), (2 * (36 + 18) + 4, 48))
-        # Something else than the background in each picture and on each label.
+        # Each picture and each label must contain something other than the background.
         for top, bottom in ((0, 36), (36, 54), (58, 94), (94, 112)):
             self.assertGreater(len({value for row in picture["R"][top:bottom] for value in row}), 3, top)
         self.assertEqual(sorted(path.name for path in self.tmp.iterdir()), ["all.png", "scenes"])

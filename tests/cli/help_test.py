@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every sub-command's --help, and that its example works as typed after tools/demo."""
+"""Tests every sub-command's --help, and that its example works as typed after tools/demo."""
 import re
 import shlex
 import subprocess
@@ -13,7 +13,7 @@ class HelpTest(ProgramTest):
         return re.findall(r"^  (\w+) ", listing, re.MULTILINE)
 
     def make_tree(self):
-        """The repository after tools/demo, as far as examples see it."""
+        """Makes those parts of the repository after tools/demo that the examples use."""
         (self.tmp / "build" / "demo").mkdir(parents=True)
         (self.tmp / "build" / "metamarch").symlink_to(metamarch())
         (self.tmp / "scenes").symlink_to(SCENES)
@@ -33,7 +33,7 @@ class HelpTest(ProgramTest):
                     self.succeed(*shlex.split(example)[1:])
 
     def test_the_scenes_are_as_they_were(self):
-        """An example that wrote through the link would have changed them."""
+        """The scenes must not change: an example could write to them through the link."""
         subprocess.run([SCENES.parent / "tools" / "make_scenes", "--check"], check=True)
 
 

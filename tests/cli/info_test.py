@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `info` reports."""
+"""The report of `info`."""
 import json
 
 from program import SCENES, ProgramTest, main, shared_scene

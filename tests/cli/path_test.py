@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the path tracer writes: channels, the same picture from both backends, light, statistics."""
+"""The pictures of the path tracer: channels, equality of both backends, light, statistics."""
 import json
 
 from program import SCENES, ProgramTest, channels_of, main

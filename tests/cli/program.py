@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of the program share: how to run it, where scenes are, how to read a picture.
+"""Code that the tests of the program share: runs the program, finds scenes, reads pictures.
 
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main().
 """
@@ -14,7 +14,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 SCENES = SOURCE / "scenes"
-ALL_SKIPPED = 77  # exit code where no test ran to its end; CTest knows it by SKIP_RETURN_CODE
+ALL_SKIPPED = 77  # exit code if all tests were skipped; CTest knows it by SKIP_RETURN_CODE
 
 _metamarch = None
 
@@ -34,10 +34,10 @@ def main():
 
 
 def asset(variable, folder, name):
-    """The file or folder `name` below the folder that the environment's `variable` names, or below ../shared/`folder`.
+    """Returns the file or folder `name` in the folder that the variable `variable` names, or in ../shared/`folder`.
 
-    Where it is absent, the test ends in this call: it is skipped, or fails if METAMARCH_REQUIRE_ASSETS is 1 or if
-    `variable` names no folder.
+    If it does not exist, the test ends in this call: it is skipped, or it fails if METAMARCH_REQUIRE_ASSETS is 1 or if
+    `variable` does not name a folder.
     """
     root = Path(os.environ.get(variable, SOURCE.parent / "shared" / folder))
     path = root / name
@@ -49,19 +49,19 @@ def asset(variable, folder, name):
 
 
 def shared_scene(name=""):
-    """The file or folder `name` below the folder of other people's scenes, or the end of the test: see asset()."""
+    """Returns the file or folder `name` in the folder of other people's scenes: see asset()."""
     return asset("METAMARCH_SCENES", "scenes", name)
 
 
 def channels_of(integrator):
-    """The channels that README.md promises; image_tests compares its list with the program's table."""
+    """Returns the channels in the list of README.md; image_tests compares this list with the program's table."""
     listing = re.search(r"^```\nR G B  .*?^```$", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()
     lines = [line for line in listing.splitlines()[1:-1] if integrator != "primary" or "not by primary" not in line]
     return {name for line in lines for name in line.split("  ")[0].split()}
 
 
 class ProgramTest(unittest.TestCase):
-    """Runs the program in a folder of its own, `self.tmp`, with the Vulkan validation layers on."""
+    """Runs the program in a temporary folder, `self.tmp`, with the Vulkan validation layers."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="metamarch-cli-")
@@ -75,13 +75,13 @@ class ProgramTest(unittest.TestCase):
                               timeout=300, check=False, env={**os.environ, **self.environment, **environment})
 
     def succeed(self, *words):
-        """Runs a call that must do its work without a word on stderr; returns its stdout."""
+        """Runs a call that must succeed without output on stderr; returns its stdout."""
         result = self.run_program(*words)
         self.assertEqual((result.returncode, result.stderr), (0, ""), words)
         return result.stdout
 
     def refuse(self, code, *words, **environment):
-        """Runs a call that must fail with one line on stderr, warnings apart, and leave no file; returns the line."""
+        """Runs a call that must fail with one line on stderr, after any warnings, and no new file; returns the line."""
         before = sorted(self.tmp.rglob("*"))
         result = self.run_program(*words, **environment)
         self.assertEqual(result.returncode, code, (words, result.stderr))
@@ -93,7 +93,7 @@ class ProgramTest(unittest.TestCase):
         return line.removeprefix("metamarch: ")
 
     def bench_lists(self):
-        """The lists of `bench --list` by their names, and the traversals that the only device lacks something for."""
+        """Returns the lists of `bench --list` by name, and {traversal that the device cannot run: what it lacks}."""
         lists, lacking = {}, {}
         for line in self.succeed("bench", "--list").splitlines():
             if match := re.match(r"not on 0 .*: (\w+) \(it lacks (.*)\)$", line):
@@ -104,7 +104,7 @@ class ProgramTest(unittest.TestCase):
         return lists, lacking
 
     def read_picture(self, name):
-        """{channel: rows of values, the top one first}, as OpenImageIO's own tool reads them."""
+        """Reads a picture with OpenImageIO's tool. Returns {channel: rows of values from the top}."""
         def oiiotool(*words):
             return subprocess.run(["oiiotool", *words], cwd=self.tmp, capture_output=True, text=True, check=True).stdout
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What `render --integrator primary` writes: channels, cameras, the same picture from both backends, statistics, memory."""
+"""Pictures of `render --integrator primary`: channels, cameras, equality of both backends, statistics, memory."""
 import json
 import math
 import os
@@ -34,7 +34,7 @@ MAX_RESIDENT = 3 << 30  # bytes, for a sheet of a million triangles
 
 
 def write_sheet(path, side):
-    """A GLB of a wavy sheet of side x side squares."""
+    """Writes a GLB of a wavy sheet of side x side squares."""
     positions = array("f")
     for y in range(side + 1):
         for x in range(side + 1):

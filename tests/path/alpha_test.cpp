@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Holes: masks and blended surfaces, seen and in the shadow they throw.
+// Masked and blended surfaces, seen directly and by their shadows.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -10,11 +10,11 @@ namespace metamarch::tests {
 namespace {
 
 constexpr PathWork kWork{.samples = 1024};
-// Of a mean of 0s and 1s, at most 0.5 / sqrt(64 * 1024), of which 4.
+// Four standard errors of a mean of 64 * 1024 zeros and ones; one is at most 0.5 / sqrt(64 * 1024).
 constexpr double kNoise = 0.008;
-constexpr double kRounding = 2e-5; // of a sum of 1024 equal floats
+constexpr double kRounding = 2e-5; // relative rounding error of a sum of 1024 equal floats
 const glm::dvec3 kColor(0.2, 0.6, 1.0);
-const glm::dvec3 kBlack(0.0); // or else the pane shines on the floor
+const glm::dvec3 kBlack(0.0); // a black pane sends no light to the floor
 const glm::dvec3 kBehind(1.0, 0.5, 0.25);
 
 Material pane(const AlphaMode mode, const float alpha, const glm::dvec3 color = kColor) {
@@ -30,7 +30,7 @@ void expectNear(const glm::dvec3 seen, const glm::dvec3 expected, const double t
     }
 }
 
-// Panes one behind the other at z = 0, -1, ...
+// Returns the radiance through panes one behind the other, at z = 0, -1, ...
 glm::dvec3 through(const Material& material, const int panes) {
     PathScene made;
     const std::uint32_t id = addMaterial(made.scene, material);
@@ -57,7 +57,7 @@ TEST(PathAlpha, maskIsThereOrNot) {
     expectNear(through(material, 1), kColor, kRounding);
 }
 
-// A quad that stands for a texel each: their alpha times the factor's.
+// The alphas of texture, vertex colour and factor are multiplied. x selects one of two texels.
 TEST(PathAlpha, textureAndVertexColourCount) {
     for (const auto& [x, alpha] : {std::pair(-0.5f, 0.2), std::pair(0.5f, 1.0)}) {
         PathScene made;
@@ -72,7 +72,8 @@ TEST(PathAlpha, textureAndVertexColourCount) {
     }
 }
 
-// A floor under a point light, `panes` of the material between them.
+// Returns the radiance of a floor under a light, which is a directional one if `isFar`, with `panes` panes of
+// the material between them. Without panes it is 1.
 double floorBehind(const Material& material, const int panes, const bool isFar) {
     PathScene made;
     addQuad(made.scene, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10},
@@ -107,7 +108,7 @@ TEST(PathAlpha, shadowLetsThroughWhatTheSurfaceDoes) {
     }
 }
 
-// Only the part that is there emits, whichever way finds it.
+// A blended emitter emits in proportion to its alpha, whichever strategy finds it.
 TEST(PathAlpha, blendedEmitterShinesByItsPart) {
     const auto floorUnder = [](const float alpha, const std::uint32_t strategies) {
         PathScene made;

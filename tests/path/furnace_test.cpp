@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// White furnaces seen by the path tracer: in light of 1 from everywhere an object that absorbs nothing is
-// invisible. The tolerances are those of the material model's fitted albedos (tests/shading/bsdf_energy_test)
-// where it has any, and the noise where not.
+// White furnaces of the path tracer: under uniform light of radiance 1, an object that absorbs nothing is
+// invisible. The tolerances are those of the material model's fitted albedos
+// (tests/shading/bsdf_energy_test); for materials without such a fit, they are the noise.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr PathWork kWork{.samples = 64, .maxBounces = 64, .side = 24};
 
-// A tessellated ball that fills the picture but for its corners, under radiance 1.
+// Returns a tessellated ball under uniform light of radiance 1. It fills the picture except for its corners.
 PathScene furnaceOf(const Material& material) {
     PathScene made;
     addBall(made.scene, glm::vec3(0.0f), 1.0f, addMaterial(made.scene, material));
@@ -31,7 +31,7 @@ double furnace(const Material& material, const PathWork& work = kWork) {
 
 std::string describe(const float roughness) { return "roughness " + std::to_string(roughness); }
 
-// Cosine sampling gives each path the weight of its albedo: there is no noise at all.
+// With cosine sampling each path has exactly the weight of its albedo, so there is no noise.
 TEST(PathFurnace, lambertReflectsItsAlbedo) {
     for (const float albedo : {1.0f, 0.5f, 0.18f}) {
         EXPECT_NEAR(furnace(lambert(glm::vec3(albedo))), albedo, 1e-5) << albedo;
@@ -55,11 +55,12 @@ TEST(PathFurnace, metalOfEveryRoughness) {
 }
 
 TEST(PathFurnace, glassWithAVolume) {
-    // Some light is caught for long between the facets of the ball: 0.3 % of it for 64 bounces, none for 256.
+    // Some light stays inside the faceted ball for long: 0.3 % of it for 64 bounces, none for 256.
     PathWork patient = kWork;
     patient.maxBounces = 256;
     EXPECT_NEAR(furnace(glass(1.5f, 0.0f), patient), 1.0, 1e-4);
-    // A path meets rough glass several times, each within the error of glassAlbedo; 1.4 % is the most.
+    // A path meets rough glass several times, each time within the error of glassAlbedo; at most 1.4 % were
+    // measured.
     for (int i = 2; i <= 10; i += 2) {
         const float roughness = 0.1f * static_cast<float>(i);
         EXPECT_NEAR(furnace(glass(1.5f, roughness)), 1.0, 0.02) << describe(roughness);
@@ -89,7 +90,8 @@ TEST(PathFurnace, coat) {
     }
 }
 
-// The layer below is darkened by sheen's albedo rounded up: at most 1.8 % are lost, and nothing is gained.
+// The sheen's albedo, which darkens the layer below, is rounded up: at most 1.8 % are lost, and nothing is
+// gained.
 TEST(PathFurnace, sheen) {
     for (const float sheenRoughness : {0.2f, 0.5f, 1.0f}) {
         Material material = lambert(glm::vec3(1.0f));
@@ -106,8 +108,8 @@ TEST(PathFurnace, iridescentMetal) {
     EXPECT_NEAR(furnace(filmed), 1.0, 0.005);
 }
 
-// Each path keeps one channel and counts it three times: a deviation of sqrt(2) over the root of 150,000
-// samples, of which 4.
+// Each path keeps one channel and counts it three times. The tolerance is four standard errors; one is
+// sqrt(2) / sqrt(150,000 samples).
 TEST(PathFurnace, dispersiveGlass) {
     Material dispersive = glass(1.5f, 0.0f);
     dispersive.dispersion = 1.0f;
@@ -119,8 +121,8 @@ TEST(PathFurnace, dispersiveGlass) {
     }
 }
 
-// --brdf gltf loses what is scattered more than once: seen from the front, as two other renderers measured it
-// (../shared/references/README.md), to the two digits given there.
+// The BRDF `gltf` loses the light that is scattered more than once. At normal incidence the loss is that of
+// two other renderers (../shared/references/README.md), to the two digits given there.
 TEST(PathFurnace, singleScatterMetalsLoseWhatOthersSayTheyLose) {
     constexpr double kExpected[] = {1.0, 1.0, 0.97, 0.82, 0.56, 0.31};
     for (int i = 0; i < 6; ++i) {
@@ -135,9 +137,9 @@ TEST(PathFurnace, singleScatterMetalsLoseWhatOthersSayTheyLose) {
     }
 }
 
-// Infinitely many bounces in a closed room that glows: E (1 + a + a^2 + ...), and up to bounce n only the
-// first n + 2 terms. Russian roulette ends most of the long paths. Light sampling alone has no finite
-// variance where walls meet and is left out.
+// In a closed room that emits E and has the albedo a, the radiance is E (1 + a + a^2 + ...); up to bounce n
+// it is the sum of the first n + 2 terms. Russian roulette ends most of the long paths. Light sampling alone
+// is left out, because its variance is not finite where walls meet.
 TEST(PathFurnace, closedRoomIsAGeometricSeries) {
     const glm::dvec3 albedo(0.8, 0.5, 0.3);
     constexpr double kRadiance = 0.25;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smooth glass: where light goes (Snell), how much of it (Fresnel), and what is left (Beer and Lambert).
+// Smooth glass: the direction of light (Snell), its reflection (Fresnel) and its absorption (Beer and
+// Lambert).
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 constexpr float kIor = 1.5f;
 constexpr PathWork kWork{.samples = 256, .maxBounces = 64};
 
-// Of unpolarized light, from air.
+// Returns the reflectance for unpolarized light that arrives in air.
 double fresnel(const double angle, const double ior) {
     const double inside = std::asin(std::sin(angle) / ior);
     const double s = (std::cos(angle) - ior * std::cos(inside)) / (std::cos(angle) + ior * std::cos(inside));
@@ -21,7 +22,7 @@ double fresnel(const double angle, const double ior) {
     return 0.5 * (s * s + p * p);
 }
 
-// From z = 0 to z = -thickness, its sides out of sight.
+// Returns a slab from z = 0 to z = -thickness. Its sides are outside of the views.
 PathScene slab(const Material& material, const float thickness, const float halfSide = 50.0f) {
     PathScene made;
     addBox(made.scene, {-halfSide, -halfSide, -thickness}, {halfSide, halfSide, 0},
@@ -29,7 +30,7 @@ PathScene slab(const Material& material, const float thickness, const float half
     return made;
 }
 
-// The smooth dielectric of glTF follows Schlick, which is Fresnel's value at normal incidence.
+// The smooth dielectric of glTF uses Schlick's approximation, which is exact at normal incidence.
 TEST(PathGlass, blackDielectricReflectsFresnelsPart) {
     for (const float ior : {1.1f, 1.33f, 1.5f, 2.4f}) {
         PathScene made;
@@ -45,27 +46,28 @@ TEST(PathGlass, blackDielectricReflectsFresnelsPart) {
     }
 }
 
-// Both faces of a slab, light going to and fro between them: 2F / (1 + F).
+// Both faces of a slab reflect, and light goes to and fro between them: 2F / (1 + F).
 TEST(PathGlass, slabReflectsFromBothFaces) {
     PathScene made;
     addBox(made.scene, {-50, -1, -50}, {50, 0, 50}, addMaterial(made.scene, glass(kIor, 0.0f)));
     made.surroundings.environment = upperHalf(16);
     const double once = fresnel(0.0, kIor);
-    // Reflected or not: a deviation of sqrt(p (1 - p) / samples), of which 4.
+    // A sample is reflected or not. The tolerance is four standard errors, which are sqrt(p (1 - p) /
+    // samples) each.
     const double p = 2.0 * once / (1.0 + once);
     EXPECT_NEAR(probe(made, {0, 3, 0}, {0, 0, 0}, {.samples = 4096, .maxBounces = 64}).r, p,
                 4.0 * std::sqrt(p / (64.0 * 4096.0)));
 }
 
-// Where the indices agree nothing is reflected (up to kMinVolumeIor, 1.001), and only the colour is left.
-// Rays start above their triangle by 1.6e-6 of its edge (kTestError): that part of the way is not attenuated.
+// Between equal media nothing is reflected, up to kMinVolumeIor = 1.001; only the attenuation remains. Rays
+// start above their triangle by 1.6e-6 of its edge (kTestError); this part of the way is not attenuated.
 TEST(PathGlass, tintedSlabWithoutRefraction) {
     Material tinted = glass(1.0f, 0.0f);
     tinted.attenuationColor = {0.9f, 0.5f, 0.1f};
     tinted.attenuationDistance = 2.0f;
     for (const float thickness : {0.5f, 2.0f, 3.0f}) {
         PathScene made = slab(tinted, thickness, 1.0f);
-        // Behind it the way is free again.
+        // Behind the slab there is no attenuation.
         addQuad(made.scene, {-1, -1, -thickness - 5.0f}, {2, 0, 0}, {0, 2, 0},
                 addMaterial(made.scene, unlit(glm::vec3(1.0f))));
         const glm::dvec3 seen = probe(made, {0, 0, 3}, {0, 0, 0}, kWork);
@@ -77,7 +79,7 @@ TEST(PathGlass, tintedSlabWithoutRefraction) {
     }
 }
 
-// With refraction: what enters is attenuated along the refracted way, each time that it crosses the slab.
+// With refraction, light is attenuated along the refracted way each time that it crosses the slab.
 TEST(PathGlass, tintedSlabAtEveryAngle) {
     Material tinted = glass(kIor, 0.0f);
     tinted.attenuationColor = {0.9f, 0.5f, 0.1f};
@@ -95,16 +97,17 @@ TEST(PathGlass, tintedSlabAtEveryAngle) {
             const double left = std::pow(static_cast<double>(tinted.attenuationColor[c]), way);
             const double passed = (1.0 - once) * (1.0 - once) * left / (1.0 - once * once * left * left);
             const double reflected = once * (1.0 + left * passed);
-            // Samples are between 0 and 1: the deviation is below 0.5 / 512.
+            // Samples are between 0 and 1, so the standard error is below 0.5 / 512.
             EXPECT_NEAR(seen[c], reflected + passed, 0.003) << angle << " " << c;
         }
     }
 }
 
-// What the path tracer sees of an edge at `edge` +- `gap` on a screen that a ray through glass meets there:
-// red on one side of it, green on the other. Returns the red of both.
+// A ray through glass meets a screen at the place `edge`. The screen is red on one side of an edge and green
+// on the other. The view is rendered with the edge a little after and a little before that place; these are
+// the reds.
 struct EdgeView {
-    double before; // the edge lies after the place
+    double before; // the edge is after the place
     double after;
 };
 
@@ -129,7 +132,7 @@ TEST(PathGlass, slabDisplacesARayBySnellsLaw) {
                             3.0f * static_cast<float>(std::cos(angle)));
         const glm::vec3 edge(std::tan(inside) + 0.5 * std::tan(angle), 0.0, -1.5);
         const double once = fresnel(angle, kIor);
-        // Light reflected twice inside comes out further along, on the green side.
+        // Light that is reflected twice inside leaves the slab further along, on the green side.
         const EdgeView seen =
             lookAtEdge(slab(glass(kIor, 0.0f), 1.0f), eye, {0, 0, 0}, edge, {1, 0, 0}, {0, 1, 0});
         const double passed = (1.0 - once) * (1.0 - once);
@@ -139,7 +142,8 @@ TEST(PathGlass, slabDisplacesARayBySnellsLaw) {
     }
 }
 
-// At minimum deviation light goes parallel to the base of the prism: 2 asin(n sin(A / 2)) - A.
+// At minimum deviation, light goes parallel to the base of the prism. The deviation is 2 asin(n sin(A / 2)) -
+// A.
 TEST(PathGlass, prismDeviatesARayBySnellsLaw) {
     constexpr double kApex = std::numbers::pi / 3.0;
     const double root = std::sqrt(3.0);
@@ -160,7 +164,7 @@ TEST(PathGlass, prismDeviatesARayBySnellsLaw) {
 
     const double deviation = 2.0 * std::asin(kIor * std::sin(0.5 * kApex)) - kApex;
     constexpr double kHeight = 0.8;
-    const double half = 1.0 - kHeight / root; // of the prism's width there
+    const double half = 1.0 - kHeight / root; // half of the prism's width at that height
     const glm::dvec3 along(std::cos(0.5 * deviation), std::sin(0.5 * deviation), 0.0);
     const glm::dvec3 entry(-half, kHeight, 0.0);
     const glm::dvec3 edge(3.0, kHeight - (3.0 - half) * std::tan(0.5 * deviation), 0.0);
@@ -169,7 +173,8 @@ TEST(PathGlass, prismDeviatesARayBySnellsLaw) {
     const double once = fresnel(0.5 * (deviation + kApex), kIor);
     const double passed = (1.0 - once) * (1.0 - once);
     EXPECT_NEAR(seen.before, passed, 4.0 * std::sqrt(passed * (1.0 - passed) / (64.0 * kWork.samples)));
-    // One ten-thousandth comes from reflections on all three sides, parallel to the rest.
+    // One ten-thousandth comes from light that is reflected on all three sides and leaves in the same
+    // direction.
     EXPECT_LT(seen.after, 0.001);
 }
 

@@ -8,7 +8,7 @@
 namespace metamarch::tests {
 namespace {
 
-// A picture of waves, its four channels different; 8 bits a channel, or deep.
+// Adds a texture of waves with four different channels, with 8 bits per channel or deep.
 std::uint32_t addWaves(Scene& scene, const bool isDeep, const TextureWrap wrap = TextureWrap::repeat) {
     constexpr std::uint32_t kSide = 12;
     std::vector<glm::u8vec4> bytes;
@@ -31,7 +31,7 @@ std::uint32_t addWaves(Scene& scene, const bool isDeep, const TextureWrap wrap =
     return texture;
 }
 
-// The ball is the first material; beside it a floor, the second, a wall and a lamp.
+// Returns a ball with the first material, a floor with the second, and a wall. `change` may add more.
 constexpr std::uint32_t kFloor = 1;
 using Change = std::function<void(PathScene& made, Material& ball)>;
 
@@ -47,7 +47,7 @@ PathScene ballScene(const Change& change) {
     scene.tangents[3].w = -1.0f;
     made.surroundings.background = {0.3f, 0.4f, 0.5f};
     made.view = lookAt({1.5f, 2.0f, 4.0f}, {0, 0.9f, 0}, {0, 1, 0});
-    // change may add to the materials: it gets a copy.
+    // `change` may add materials and so move them, so it gets a copy.
     Material changed = scene.materials[ball];
     change(made, changed);
     scene.materials[ball] = changed;
@@ -118,7 +118,7 @@ void textures(PathScene& made, Material& ball, const bool isDeep) {
     }
 }
 
-// A floor that shows a picture many times, smaller than a pixel at its far end.
+// Returns a floor with many repetitions of a texture, which are smaller than a pixel at its far end.
 void mipmaps(PathScene& made, const bool isDeep, const TextureFilter minFilter,
              const TextureFilter magFilter = TextureFilter::linear) {
     TextureRef waves{addWaves(made.scene, isDeep), 0, true};
@@ -171,7 +171,7 @@ void sky(PathScene& made) {
     made.surroundings.intensity = 2.0f;
 }
 
-// A second ball, of its own material.
+// Adds a second ball with its own material.
 void addNeighbour(PathScene& made, const glm::vec3 center, const std::function<void(Material&)>& change) {
     Material material = metal({0.8f, 0.8f, 0.7f}, 0.3f);
     material.metallicFactor = 0.0f;
@@ -188,7 +188,7 @@ PathScene withAlpha(const AlphaMode mode) {
     });
 }
 
-// Closed, and nothing absorbs: paths as long as they may be.
+// Returns a closed room that absorbs nothing, so paths have the maximum length.
 PathScene whiteRoom() {
     PathScene made;
     addBox(made.scene, {-1, -1, -1}, {1, 1, 1}, addMaterial(made.scene, lambert(glm::vec3(1.0f))),
@@ -261,7 +261,7 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          [] {
              return ballScene([](PathScene& made, Material& ball) {
                  textures(made, ball, true);
-                 made.chunkBytes = 1500; // one image of 1,152 bytes in each
+                 made.chunkBytes = 1500; // each chunk has room for one image of 1,152 bytes
              });
          }},
         {"mipmaps",
@@ -345,7 +345,8 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
              made.view.eye += 3e4f;
              return made;
          }},
-        // More turns of the kernel's loop than llvmpipe allows one invocation, 2^16, for 16 samples.
+        // For 16 samples, the kernel's loop needs more than the 2^16 turns that llvmpipe allows one
+        // invocation.
         {"long_paths", whiteRoom, {.samples = 18, .maxBounces = 1000, .side = 4}},
     };
     return kScenes;

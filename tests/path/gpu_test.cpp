@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path tracer on the device against the CPU's: the same film to the bit. steps and tests apart, which
-// belong to the traversal.
+// The path tracers of device and CPU make the same film bit by bit, except for steps and tests, which depend
+// on the traversal.
 #include "fixtures/shared_scenes.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/scene/import.h"
@@ -53,14 +53,15 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
     }
 }
 
-// llvmpipe takes half a minute to compile all features over storage buffers: so not of everything.
+// This scene has only some features, because llvmpipe takes half a minute to compile all of them with storage
+// buffers.
 TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
     const BothSides sides(blended(), {28, 20});
     expectSameFilm(sides.onDevice(kDefaultTraversal, work, BothSides::Where::storageBuffers).film,
                    sides.onCpu(work));
 }
 
-// More samples than one dispatch takes, more tiles than a submission.
+// The picture has more samples than one dispatch takes and more tiles than a submission has.
 TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {100, 70});
     const PathWork many{.samples = 37, .maxBounces = 2};
@@ -69,7 +70,7 @@ TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     expectSameFilm(whole.film, sides.onCpu(many));
 }
 
-// More tiles than the film on the device holds: 2^14 of 8 x 8 pixels.
+// The picture has more tiles of 8 x 8 pixels than the film on the device, which has 2^14.
 TEST_F(PathGpuWork, bandsDrawTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {1153, 1000});
     const PathWork few{.samples = 1, .maxBounces = 0};
@@ -78,7 +79,7 @@ TEST_F(PathGpuWork, bandsDrawTheSame) {
 
 struct FileScene {
     std::string name;
-    std::string file; // below the shared scenes, or "scenes/..." for one of the project's own
+    std::string file; // in the folder of shared scenes, or "scenes/..." for one of the project's
 };
 
 void PrintTo(const FileScene& scene, std::ostream* out) { *out << scene.name; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table that lights are drawn from, and the densities that weigh the two ways to find them.
+// The table from which light sampling draws, and the densities for multiple importance sampling.
 #include "metamarch/shading/light/sky.h"
 #include "metamarch/shared/path.h"
 #include "path/path_scene.h"
@@ -16,7 +16,7 @@
 namespace metamarch::tests {
 namespace {
 
-// Lights of every kind.
+// Returns a scene with lights of every kind.
 PathScene manyLights() {
     PathScene made;
     addBall(made.scene, {0, 1, 0}, 0.5f, addMaterial(made.scene, emitter({3, 2, 1})), false, 12);
@@ -63,7 +63,7 @@ TEST(PathLightTable, densityTimesAreaIsTheShareOfAMaterial) {
     EXPECT_EQ(shading.materials[2].emissionDensity, 0.0f); // does not shine
 }
 
-// Over the whole sphere the map's density is the probability that it is chosen at all.
+// The integral of the map's density over the sphere is the probability that light sampling chooses the map.
 TEST(PathLightTable, densityOfTheMapIsAShareToo) {
     const ShadingScene shading = shadingOf(manyLights());
     constexpr int kRows = 512;
@@ -81,7 +81,7 @@ TEST(PathLightTable, densityOfTheMapIsAShareToo) {
     EXPECT_NEAR(sum, shading.settings.environmentProbability, 0.002 * sum);
 }
 
-// What light sampling calls its density is what a ray that meets the light there computes.
+// Light sampling and a ray that hits the light at the same point compute the same density.
 TEST(PathLightTable, bothWaysNameTheSameDensity) {
     const ShadingScene shading = shadingOf(manyLights());
     std::mt19937 random(5);
@@ -148,7 +148,7 @@ TEST(PathLightTable, weightsOfBothWaysSumToOne) {
     EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f) + sampledWeight(settings, 2.0f, 1.0f), 1.0f);
     EXPECT_EQ(foundWeight(settings, kCertain, 2.0f), 1.0f);
     settings.strategies = kSampleBsdf;
-    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f), 1.0f); // what light sampling would add is left out
+    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f), 1.0f); // there is no light sampling
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Direct light on a Lambert reflector against what a formula says.
+// Compares direct light on a Lambert reflector with closed forms.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr float kAlbedo = 0.7f;
 constexpr double kInverse = kAlbedo / std::numbers::pi;
 
-// A floor at y = 0, and nothing else.
+// Returns a floor at y = 0 without lights.
 PathScene floorScene() {
     PathScene made;
     addQuad(made.scene, {-5, 0, 5}, {10, 0, 0}, {0, 0, -10},
@@ -23,12 +23,12 @@ PathScene floorScene() {
     return made;
 }
 
-// The radiance of the floor at (x, 0, z), seen from aside.
+// Returns the radiance of the floor at (x, 0, z), seen from the side.
 double floorAt(const PathScene& made, const float x, const float z, const PathWork& work = {}) {
     return probe(made, {x + 2.0f, 0.5f, z + 0.7f}, {x, 0.0f, z}, work).g;
 }
 
-// Without chance but for the place in a pixel of 3e-5 units: rounding alone.
+// Only the place in a pixel, 3e-5 units wide, is random, so the tolerance is for rounding only.
 TEST(PathLight, pointLightFallsWithSquareAndCosine) {
     for (const float height : {0.5f, 2.0f}) {
         PathScene made = floorScene();
@@ -54,7 +54,7 @@ TEST(PathLight, directionalLightFallsWithTheCosine) {
     }
 }
 
-// KHR_lights_punctual: the square of (cos - cos outer) / (cos inner - cos outer).
+// By KHR_lights_punctual, the falloff is the square of (cos - cos outer) / (cos inner - cos outer).
 TEST(PathLight, spotFadesBetweenItsCones) {
     PathScene made = floorScene();
     PunctualLight light;
@@ -74,7 +74,7 @@ TEST(PathLight, spotFadesBetweenItsCones) {
     }
 }
 
-// The sun as a disc: radiance times its solid angle, as light sampling and as rays find it.
+// The irradiance of the sun is its radiance times its solid angle, whether light sampling or rays find it.
 TEST(PathLight, discIsARadianceOfItsSize) {
     PathScene made = floorScene();
     LightRecord sun{};
@@ -94,8 +94,8 @@ TEST(PathLight, discIsARadianceOfItsSize) {
     EXPECT_EQ(seen.r, 8.0);
 }
 
-// The irradiance at `point` of the floor from a horizontal rectangle at height y, x0 to x1 and z0 to z1, that
-// shines downwards, over pi.
+// Returns the irradiance divided by pi at `point` of the floor, from a horizontal rectangle (x0, x1, z0, z1)
+// at height y that emits downwards.
 double formFactor(const glm::dvec2 point, const double y, const glm::dvec4 rectangle,
                   const std::function<double(double u, double v)>& radiance) {
     constexpr int kSteps = 500;
@@ -114,22 +114,23 @@ double formFactor(const glm::dvec2 point, const double y, const glm::dvec4 recta
     return sum * size.x * size.y / (kSteps * kSteps) / std::numbers::pi;
 }
 
-// A quad over the floor: x from -0.5 to 0.5, z from -0.5 to 0.5, at height 0.8; u grows with x, v with z.
+// Returns a floor under a quad: x and z go from -0.5 to 0.5, the height is 0.8; u grows with x, v with z.
 PathScene underAQuad(const Material& light) {
     PathScene made = floorScene();
     addQuad(made.scene, {-0.5f, 0.8f, -0.5f}, {1, 0, 0}, {0, 0, 1}, addMaterial(made.scene, light));
     return made;
 }
 
-// `peak`: the greatest radiance.
+// `peak` is the largest radiance.
 void expectFormFactors(const PathScene& made, const double peak,
                        const std::function<double(double u, double v)>& radiance) {
-    constexpr double kSamples = 64.0 * 1024.0; // of a probe
+    constexpr double kSamples = 64.0 * 1024.0; // number of samples of a probe
     for (const float x : {0.0f, 0.4f, 1.5f}) {
         const double expected = kAlbedo * formFactor({x, 0.2}, 0.8, {-0.5, 0.5, -0.5, 0.5}, radiance);
         for (const std::uint32_t strategies : {kSampleLights | kSampleBsdf, kSampleLights, kSampleBsdf}) {
             const PathWork work{.samples = 1024, .maxBounces = 0, .strategies = strategies};
-            // BSDF sampling finds the light or not: four of the deviations that this has at most.
+            // A sample of the BSDF finds the light or not; the tolerance is four times the largest standard
+            // error.
             const double noise = 4.0 * std::sqrt(expected * kAlbedo * peak / kSamples);
             const double tolerance = strategies == kSampleBsdf ? noise : 0.01 * expected;
             EXPECT_NEAR(floorAt(made, x, 0.2f, work), expected, tolerance) << x << " " << strategies;
@@ -172,7 +173,7 @@ TEST(PathLight, quadShinesToItsFrontAlone) {
     EXPECT_EQ(above(), 2.0);
 }
 
-// A convex body sees nothing but the sky.
+// From a convex body only the sky is visible.
 TEST(PathLight, skyAlone) {
     PathScene made = floorScene();
     made.surroundings.background = {1.0f, 2.0f, 0.5f};
@@ -180,7 +181,8 @@ TEST(PathLight, skyAlone) {
     made.surroundings.background = glm::vec3(0.0f);
     made.surroundings.environment = upperHalf(64);
     for (const std::uint32_t strategies : {kSampleLights | kSampleBsdf, kSampleLights, kSampleBsdf}) {
-        // A texel of the 64 straddles the horizon: half the light of its lower row, at cosines under 0.05.
+        // One of the 64 rows blends across the horizon: it adds half of its light below, at cosines under
+        // 0.05.
         EXPECT_NEAR(floorAt(made, 0, 0, {.samples = 1024, .strategies = strategies}), kAlbedo, 0.003)
             << strategies;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels of textures: which one a surface shows, what its filters make of it, and that pictures gain by it.
+// Mip levels: the choice of the level, the filters of glTF, and the effect on noise.
 #include "metamarch/shared/path.h"
 #include "path/path_scene.h"
 
@@ -29,12 +29,12 @@ std::uint32_t addFiltered(Scene& scene, const std::uint32_t width, const std::ve
     return texture;
 }
 
-// --- which level
+// --- choice of the level
 
 constexpr float kSide = 8.0f;
 constexpr std::uint32_t kTexels = 64;
 
-// A square of kSide with kTexels on a side, its front to +z.
+// Returns a square with sides of length kSide and kTexels texels per side. Its front faces +z.
 PathScene square() {
     PathScene made;
     Material paint = unlit({1, 1, 1});
@@ -44,7 +44,7 @@ PathScene square() {
     return made;
 }
 
-// log2 of the texels that pixel (x, y) of a 60 x 40 picture sees at once where it meets the square.
+// Returns log2 of the side, in texels, of the footprint of pixel (x, y) of a 60 x 40 picture on the square.
 float texelsSeen(const PathScene& made, const std::uint32_t x, const std::uint32_t y,
                  const std::uint32_t sample) {
     const ShadingScene shading = shadingOf(made);
@@ -61,7 +61,8 @@ float texelsSeen(const PathScene& made, const std::uint32_t x, const std::uint32
     return at.firstLevel + shading.textures[0].use.unitLevel;
 }
 
-// Of a plane at a distance, seen straight on: a pixel is 2 d tan(fov / 2) / 40 wide, also aside.
+// On a plane that is seen at a right angle from distance d, a pixel is 2 d tan(fov / 2) / 40 wide, even at
+// the side.
 TEST(PathMipmap, levelOfAPlaneFollowsFromItsDistance) {
     PathScene made = square();
     for (const float distance : {5.0f, 20.0f, 333.0f}) {
@@ -84,8 +85,8 @@ TEST(PathMipmap, levelInAParallelViewIsTheSameEverywhere) {
     EXPECT_NEAR(texelsSeen(made, 50, 30, 0), 4.0f, 1e-5f);
 }
 
-// At 45 degrees a pixel's area is twice that at the foot of the perpendicular by distance, and longer by the
-// root of two by its lean: on a floor the area grows with the third power of the distance.
+// At 45 degrees, a pixel's area is twice that at the foot of the perpendicular because of the distance, and
+// larger by sqrt(2) because of the tilt: on a floor the area grows with the third power of the distance.
 TEST(PathMipmap, levelOfALeaningPlaneFollowsFromItsArea) {
     PathScene made = square();
     made.view = lookAt({0, -10, 10}, {0, 0, 0}, {0, 1, 0});
@@ -106,42 +107,42 @@ TEST(PathMipmap, whatHasNoAreaInTheTextureIsSeenInFullSize) {
 
 // --- filters of glTF
 
-// A row of four greys, its mean 0.5 in level 2; level 1 has 0.1 and 0.9.
+// A row of four greys. Level 1 has 0.1 and 0.9, level 2 the mean 0.5.
 const std::vector<glm::u8vec4> kGreys = {glm::u8vec4(0), glm::u8vec4(51), glm::u8vec4(204), glm::u8vec4(255)};
 
 struct Seen {
     TextureFilter mag;
     TextureFilter min;
-    float level; // log2 of the texels seen at once
+    float level; // log2 of the footprint's side in texels
     float u;
-    float expected; // a quarter of the way into the first half: in texel 1, at its left edge
+    float expected; // at a quarter of the width: the left edge of texel 1
 };
 
 constexpr TextureFilter kNearest = TextureFilter::nearest;
 constexpr TextureFilter kLinear = TextureFilter::linear;
 
 TEST(PathMipmap, hasEveryFilterOfGltf) {
-    constexpr float kByte = 1.0f / 255.0f; // 0.1 and 0.5 are no bytes
+    constexpr float kByte = 1.0f / 255.0f; // bytes cannot represent 0.1 and 0.5 exactly
     const Seen cases[] = {
-        // As from near: the magnifying filter.
+        // The texture is magnified.
         {kNearest, TextureFilter::linearMipmapLinear, -0.1f, 0.99f, 0.2f},
         {kLinear, TextureFilter::nearestMipmapLinear, -0.1f, 0.99f, 0.1f},
         {kLinear, kNearest, 0.0f, 0.5f, 0.1f},
-        // Without levels.
+        // The filter uses no levels.
         {kLinear, kNearest, 5.0f, 0.5f, 0.2f},
         {kNearest, kLinear, 5.0f, 0.5f, 0.1f},
-        // The nearest level, whatever u is.
+        // The filter uses the nearest level, whatever u is.
         {kLinear, TextureFilter::nearestMipmapNearest, 0.4f, 0.9f, 0.2f},
         {kLinear, TextureFilter::nearestMipmapNearest, 0.6f, 0.0f, 0.1f},
         {kLinear, TextureFilter::nearestMipmapNearest, 1.6f, 0.0f, 0.5f},
         {kNearest, TextureFilter::linearMipmapNearest, 0.4f, 0.9f, 0.1f},
         {kNearest, TextureFilter::linearMipmapNearest, 1.4f, 0.9f, 0.1f},
-        // Two levels, by chance.
+        // The filter uses one of two levels at random.
         {kLinear, TextureFilter::nearestMipmapLinear, 0.25f, 0.7f, 0.2f},
         {kLinear, TextureFilter::nearestMipmapLinear, 0.25f, 0.8f, 0.1f},
         {kNearest, TextureFilter::linearMipmapLinear, 1.25f, 0.7f, 0.1f},
         {kNearest, TextureFilter::linearMipmapLinear, 1.25f, 0.8f, 0.5f},
-        // Beyond the last.
+        // The footprint is larger than the last level's texel.
         {kLinear, TextureFilter::linearMipmapLinear, 40.0f, 0.5f, 0.5f},
     };
     for (const Seen& seen : cases) {
@@ -159,7 +160,7 @@ TEST(PathMipmap, hasEveryFilterOfGltf) {
     }
 }
 
-// The mean of what chance chooses is the mix of the two levels.
+// The mean of the randomly chosen levels is the blend of the two.
 TEST(PathMipmap, chanceMixesTwoLevels) {
     const std::uint32_t flags = kTextureBetweenLevels | 9u << kTextureLastLevelShift;
     for (const float texels : {0.0f, 0.3f, 2.75f, 8.5f, 11.0f}) {
@@ -174,7 +175,7 @@ TEST(PathMipmap, chanceMixesTwoLevels) {
 
 // --- pictures
 
-// A floor of squares to the horizon.
+// Returns a floor with a checkerboard that extends to the horizon.
 PathScene horizon(const TextureFilter min) {
     PathScene made;
     Material paint = unlit({1, 1, 1});
@@ -182,7 +183,7 @@ PathScene horizon(const TextureFilter min) {
     paint.baseColorTexture.transform = glm::mat3x2(2000.0f, 0.0f, 0.0f, 2000.0f, 0.0f, 0.0f);
     addQuad(made.scene, {-400, 0, 400}, {800, 0, 0}, {0, 0, -800}, addMaterial(made.scene, paint));
     made.view = lookAt({0.3f, 1.0f, 0.2f}, {0.0f, 0.9f, -2.0f}, {0, 1, 0});
-    made.view.verticalFov = 0.09f; // from one degree below the horizon on, all of it floor
+    made.view.verticalFov = 0.09f; // begins one degree below the horizon, so the picture shows only floor
     made.view.forward = glm::normalize(glm::vec3(0.0f, -0.06f, -1.0f));
     return made;
 }
@@ -195,14 +196,14 @@ double meanSquareError(const std::vector<FilmPixel>& film, const std::vector<Fil
     return sum / static_cast<double>(film.size());
 }
 
-// Levels leave a fraction of the noise, at one sample and at many, and the picture they converge to is the
-// one without: levels that are too coarse would keep an error that samples cannot remove.
+// Levels reduce the noise, with one sample and with many, and the picture converges to the one without
+// levels. Levels that are too coarse would leave an error that samples cannot remove.
 TEST(PathMipmap, checkerboardToTheHorizonHasLessNoiseAndTheSameMean) {
     PathWork work{.samples = 4096, .side = 32};
     const std::vector<FilmPixel> exact = render(horizon(kLinear), work);
     struct Bound {
         std::uint32_t samples;
-        double left; // of the error; measured are 0.05, 0.17, 0.35 and 0.55
+        double left; // fraction of the error that remains; measured: 0.05, 0.17, 0.35 and 0.55
     };
     for (const auto [samples, left] : {Bound{1, 0.1}, {4, 0.3}, {16, 0.5}, {64, 0.75}}) {
         work.samples = samples;
@@ -211,7 +212,7 @@ TEST(PathMipmap, checkerboardToTheHorizonHasLessNoiseAndTheSameMean) {
         const std::vector<FilmPixel> smooth = render(horizon(TextureFilter::linearMipmapLinear), work);
         const double plainError = meanSquareError(plain, exact);
         EXPECT_LT(meanSquareError(smooth, exact), left * plainError) << samples;
-        // Noise of the mean, and half a byte of the levels' in linear light.
+        // The bound covers the noise of the mean, and the rounding of the levels to bytes, in linear light.
         const double bound = 3.0 * std::sqrt(plainError) / work.side + 0.004;
         EXPECT_NEAR(meanOf(smooth).g, meanOf(exact).g, bound) << samples;
     }
@@ -231,7 +232,7 @@ TEST(PathMipmap, constantTexturesStayConstant) {
     }
 }
 
-// A leaf's texture: green where there is something, else magenta.
+// Returns a floor with a texture of leaves: opaque texels are green, transparent ones magenta.
 PathScene leaves(const AlphaMode mode, const TextureFilter min) {
     PathScene made = horizon(min);
     for (std::uint32_t i = 0; i < 32 * 32; ++i) {
@@ -243,7 +244,8 @@ PathScene leaves(const AlphaMode mode, const TextureFilter min) {
     return made;
 }
 
-// Holes are looked up in full size: levels change nothing of what is there, and colour what is.
+// Alpha is looked up in the full-size level, so levels do not change which parts are opaque, only their
+// colour.
 TEST(PathMipmap, levelsKeepHolesAndTheirColours) {
     for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend}) {
         const PathWork work{.samples = 4};
@@ -260,7 +262,7 @@ TEST(PathMipmap, levelsKeepHolesAndTheirColours) {
     }
 }
 
-// A rough mirror shows the floor as the average that its lobe sees: less noise, the same mean.
+// A rough mirror widens the cone, so that the texture is averaged over its lobe: less noise, the same mean.
 TEST(PathMipmap, conesWidenOnRoughSurfaces) {
     const auto mirrored = [](const TextureFilter min, const PathWork& work) {
         PathScene made = horizon(min);

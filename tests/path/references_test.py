@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of other path tracers: ../shared/references, or the folder that METAMARCH_REFERENCES names.
+"""Compares with pictures of other path tracers: ../shared/references, or the folder that METAMARCH_REFERENCES names.
 
-Each case is rendered with few samples; its mean agrees with that of the reference, and pixels and means of small blocks
-differ by no more than the noise that the picture itself reports (its variance channels) and that of the reference.
+Each case is rendered with few samples. Its mean must agree with that of the reference. The differences of pixels and of
+means over small blocks must not exceed the noise of the picture (its variance channels) and of the reference.
 """
 import json
 import math
@@ -12,8 +12,8 @@ from program import ProgramTest, asset, main
 
 SIDE = 256
 SAMPLES = 16
-BLOCK = 8  # pixels: means over squares of that side have that part of the noise, and all of a bias
-TRIMMED = 0.005  # of the pixels or blocks, the worst, are left out of the error: fireflies and edges of lights
+BLOCK = 8  # pixels; the mean over a block of this side has 1 / BLOCK of the noise but all of a bias
+TRIMMED = 0.005  # fraction of the worst pixels or blocks that the error leaves out: fireflies, edges of lights
 
 
 def numbers(values):
@@ -34,14 +34,14 @@ def block_means(values):
 
 
 def trimmed_root(squares):
-    """Of the mean of per-channel squares, the worst places left out."""
+    """Returns the root of the mean of per-channel squares, without the worst places."""
     places = sorted(map(sum, zip(*squares)))
     kept = places[:int(len(places) * (1 - TRIMMED))]
     return math.sqrt(sum(kept) / (len(squares) * len(kept)))
 
 
 class Comparison:
-    """Means per channel; trimmed errors and noise, relative to the mean of the reference."""
+    """The means per channel, and the trimmed errors and the noise relative to the mean of the reference."""
 
     def __init__(self, ours, reference):
         def error_between(a, b):
@@ -74,11 +74,11 @@ class ReferencesTest(ProgramTest):
                                   "--eye=" + numbers(camera["position"]), "--target=" + numbers(camera["target"]),
                                   "--vfov", str(camera["vfov_degrees"]), *light, "--spp", str(SAMPLES),
                                   "--max-bounces", "8", "--quiet", *words)
-        self.assertEqual(result.returncode, 0, result.stderr)  # of its environment the program warns
+        self.assertEqual(result.returncode, 0, result.stderr)  # there may be warnings about the environment
         return self.read_picture("ours.exr")
 
     def expect_same(self, picture, reference, mean_tolerance, model_error=0.0):
-        """`model_error`: what the two BRDFs differ by, as a part of the mean."""
+        """`model_error` is the difference of the two BRDFs as a fraction of the mean."""
         file = self.folder / "ref" / f"{reference}.exr"
         noise = json.loads(file.with_suffix(".json").read_text())["noise_rel_rmse_trim0p5"]
         compared = Comparison(picture, self.read_picture(file))
@@ -88,7 +88,7 @@ class ReferencesTest(ProgramTest):
         print(said, file=sys.stderr)
         for ratio in compared.ratios:
             self.assertLess(abs(ratio - 1), mean_tolerance, said)
-        # Samples are stratified: their variance bounds the error from above.
+        # Samples are stratified, so their variance is an upper bound of the error.
         self.assertLess(compared.error, math.hypot(compared.noise, noise, model_error), said)
         self.assertLess(compared.block_error, math.hypot(compared.block_noise, noise / BLOCK, model_error), said)
 

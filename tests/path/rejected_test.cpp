@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples that are no numbers are counted and in no sum.
+// Samples that are not finite are counted, but they are in no sum.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -55,11 +55,11 @@ TEST(PathRejected, enormousEmission) {
         expectFinite(film, 32);
         EXPECT_GT(rejectedOf(film), 1000u);
     }
-    // The product of factor and strength, which overflows.
+    // The product of factor and strength overflows.
     Material light = emitter(glm::vec3(3e38f));
     light.emissiveStrength = 3e38f;
     expectFinite(render(floorUnder(light), {.samples = 32}), 32);
-    // The largest that counts.
+    // This emission is large, but no sample is rejected.
     const auto film = render(floorUnder(emitter(glm::vec3(1e12f))), {.samples = 32});
     expectFinite(film, 32);
     EXPECT_EQ(rejectedOf(film), 0u);
@@ -72,8 +72,8 @@ TEST(PathRejected, lightsAtTheSurface) {
     expectFinite(render(made, {.samples = 32}), 32);
 }
 
-// Normals that cancel in the middle of a triangle, lie in its plane, or point away from it: energy is lost
-// there, and not more than that.
+// Vertex normals that cancel in the middle of a triangle, lie in its plane or point away from it may lose
+// energy, but nothing else happens.
 TEST(PathRejected, degenerateNormals) {
     for (const Material& material : {lambert(glm::vec3(1.0f)), metal(glm::vec3(1.0f), 0.0f),
                                      metal(glm::vec3(1.0f), 0.3f), glass(1.5f, 0.2f)}) {
@@ -91,7 +91,7 @@ TEST(PathRejected, degenerateNormals) {
     }
 }
 
-// Triangles without area are in no structure and no light table.
+// Triangles without area are in no structure and in no light table.
 TEST(PathRejected, degenerateTriangles) {
     PathScene made = floorUnder(emitter(glm::vec3(1.0f)));
     const auto before = render(made, {.samples = 8});

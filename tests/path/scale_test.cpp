@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes large, small and far from the origin: no surface shadows itself, no wall lets light through.
+// In large scenes, in small ones and far from the origin, no surface shadows itself and no wall leaks light.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace metamarch::tests {
 namespace {
 
-// Scaled, then moved along all axes.
+// A scene is scaled and then moved by `offset` along all axes.
 struct Place {
     float scale;
     float offset;
@@ -27,12 +27,12 @@ glm::vec3 placed(const glm::vec3 point, const Place& place) {
     return point * place.scale + glm::vec3(place.offset);
 }
 
-// Of the coordinates there, as a part of a unit length.
+// Returns an ulp of the scene's coordinates, divided by the scaled unit length.
 double ulpOf(const Place& place) { return std::max(place.offset, place.scale) * 0x1p-23 / place.scale; }
 
 class PathScale : public testing::TestWithParam<Place> {
   protected:
-    // Moves what was made around the origin. Point lights keep what they give.
+    // Moves a scene from the origin to the place. The irradiance of point lights does not change.
     PathScene moved(PathScene made) const {
         for (glm::vec3& position : made.scene.positions) {
             position = placed(position, place);
@@ -63,7 +63,7 @@ TEST_P(PathScale, whiteBallStaysInvisible) {
     EXPECT_NEAR(coveredMeanOf(film).r, 1.0, 1e-5);
 }
 
-// Convex and exact in every place: no ray that leaves it meets it again, in any pixel.
+// The octahedron is convex and exactly representable at every place, so no ray that leaves it hits it again.
 TEST_P(PathScale, greyOctahedronStaysConvex) {
     PathScene made;
     const std::uint32_t grey = addMaterial(made.scene, lambert(glm::vec3(0.5f)));
@@ -86,10 +86,10 @@ TEST_P(PathScale, greyOctahedronStaysConvex) {
     EXPECT_GT(covered, 300u);
 }
 
-// A tilted floor under a point light, high or grazing: shadow rays that met their own floor would leave dark
-// pixels.
+// A tilted floor is under a point light, which is high or grazing. Shadow rays that hit their own floor would
+// leave dark pixels.
 TEST_P(PathScale, floorHasNoAcne) {
-    const glm::dvec3 right(6.0, 3.0, 2.0); // with the next a square of side 7
+    const glm::dvec3 right(6.0, 3.0, 2.0); // `right` and `up` span a square with sides of length 7
     const glm::dvec3 up(-2.0, 6.0, -3.0);
     const glm::dvec3 normal = glm::cross(right, up) / 49.0;
     for (const double height : {4.0, 0.25}) {
@@ -104,19 +104,19 @@ TEST_P(PathScale, floorHasNoAcne) {
         constexpr double kSide = 32.0;
         const auto film = render(moved(made), {.samples = 16, .side = 32});
         for (std::size_t i = 0; i < film.size(); ++i) {
-            // The corner of the pixel that is farthest from the light is the darkest.
+            // The darkest point of a pixel is its corner that is farthest from the light.
             const double x = (static_cast<double>(i % 32) + 0.5) / kSide - 0.5;
             const double y = 0.5 - (static_cast<double>(i / 32) + 0.5) / kSide;
             const double reach = 10.0 * (std::hypot(x, y) + std::numbers::sqrt2 / 2.0 / kSide);
             const double darkest = height / std::pow(height * height + reach * reach, 1.5);
-            // Heights over the floor are known to a few ulps of the coordinates.
+            // Heights over the floor have an error of a few ulps of the coordinates.
             const double known = 1.0 - 1e-3 - 8.0 * ulpOf(place) / height;
             ASSERT_GE(meanOf(film[i]).r, darkest * known) << "pixel " << i << ", light at " << height;
         }
     }
 }
 
-// A lamp in a closed box, looked at from outside along edges and corners.
+// A lamp is in a closed box, which is seen from outside, along edges and corners.
 TEST_P(PathScale, closedBoxStaysBlack) {
     PathScene made;
     addBox(made.scene, {-8, -8, -8}, {8, 8, 8}, addMaterial(made.scene, lambert(glm::vec3(1.0f))));
@@ -131,7 +131,7 @@ TEST_P(PathScale, closedBoxStaysBlack) {
     }
 }
 
-// A dark white room in a bright world, seen from within; 16 bounces among its edges.
+// A closed white room without light is in a bright environment. It is seen from inside, with 16 bounces.
 TEST_P(PathScale, closedRoomStaysBlack) {
     PathScene made;
     addBox(made.scene, {-8, -16, -8}, {8, 8, 16}, addMaterial(made.scene, lambert(glm::vec3(1.0f))),
@@ -140,8 +140,9 @@ TEST_P(PathScale, closedRoomStaysBlack) {
     made.view = lookAt({2, 3, 4}, {-8, -8, 0}, {0, 1, 0});
     made.view.verticalFov = 1.5f;
     const double leak = meanOf(render(moved(made), {.samples = 64, .maxBounces = 16, .side = 32})).r;
-    // A hit within half an ulp of the next wall is rounded to lie on it, and the path may go on behind: 16
-    // times the chance of that at 4 edges, walls being 16 long and more. Measured at most a sixth of it.
+    // A hit within half an ulp of the next wall is rounded to that wall, and the path may continue behind it.
+    // `chance` is the probability of that for 16 bounces at 4 edges, with walls that are at least 16 long. At
+    // most a sixth of it was measured.
     const double chance = 16.0 * 4.0 * ulpOf(place) / 16.0;
     EXPECT_LE(leak, place.offset == 0.0f ? 0.0 : 0.25 * chance);
 }

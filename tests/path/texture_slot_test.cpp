@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every texture slot of a material, alone: the device draws what the CPU draws, the texture is seen, and the
-// channels that count are those that glTF 2.0 and its extensions name.
+// Tests every texture of a material alone: device and CPU draw the same, the texture is visible, and it uses
+// the channels that glTF 2.0 and its extensions specify.
 #include "fixtures/vulkan_environment.h"
 #include "path/both_sides.h"
 
@@ -20,9 +20,9 @@ namespace {
 struct Slot {
     std::string name; // in material_rows.inc
     TextureRef Material::*texture;
-    std::string channels; // that glTF names
+    std::string channels; // the channels that glTF specifies
     bool isSrgb;
-    std::function<void(Material&)> prepare; // the slot counts, no other has a texture
+    std::function<void(Material&)> prepare; // makes the texture have an effect
 };
 
 void PrintTo(const Slot& slot, std::ostream* out) { *out << slot.name; }
@@ -80,7 +80,7 @@ const std::vector<Slot>& slots() {
 
 constexpr std::string_view kChannels = "rgba";
 
-// The same in every texel but for the channels named, which are waves, each another.
+// Adds a texture whose `channels` are waves, each different from the others. The other channels are constant.
 std::uint32_t addWaves(Scene& scene, const std::string_view channels) {
     constexpr std::uint32_t kSide = 8;
     std::vector<glm::u8vec4> texels;
@@ -99,7 +99,8 @@ std::uint32_t addWaves(Scene& scene, const std::string_view channels) {
     return addTexture(scene, kSide, texels, TextureFilter::linear);
 }
 
-// A square between two lights, its texture varying in `channels`; nullptr: without a texture.
+// Returns a square between two lights. Its texture varies in `channels`; nullptr means that it has no
+// texture.
 PathScene square(const Slot& slot, const char* const channels) {
     PathScene made;
     Material material = metal({0.9f, 0.7f, 0.5f}, 0.5f);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ways to the same mean: light sampling, BSDF sampling, both; with and without Russian roulette. Each is
-// rendered with several seeds, whose means are independent, so that their spread is the error to expect.
+// Light sampling, BSDF sampling and both have the same mean, with and without Russian roulette. Each is
+// rendered with several seeds. Their means are independent, so their spread gives the standard error.
 #include "path/path_scene.h"
 
 #include <gtest/gtest.h>
@@ -14,10 +14,11 @@ namespace metamarch::tests {
 namespace {
 
 constexpr std::uint32_t kSeeds = 12;
-// Both sides of the difference have kSeeds - 1 degrees of freedom; 4.5 standard errors happen once in 5,000.
+// Both means of a difference have kSeeds - 1 degrees of freedom. More than 4.5 standard errors happen once in
+// 5,000 times.
 constexpr double kLargestZ = 4.5;
 
-// The mean of each quarter of the picture, per channel, and its standard error.
+// The mean of each channel over each quarter of the picture, and its standard error.
 struct Means {
     static constexpr std::size_t kCount = 12;
     std::array<double, kCount> mean{};
@@ -60,7 +61,7 @@ Means meansOf(const PathScene& made, PathWork work, const std::uint32_t firstSee
     return means;
 }
 
-// `power`: the error must be at most this part of the mean, or the comparison says nothing.
+// The error must be at most the fraction `power` of the mean; otherwise the comparison would have no power.
 void expectSameMeans(const Means& a, const Means& b, const double power, const std::string& what) {
     for (std::size_t k = 0; k < Means::kCount; ++k) {
         const double error = std::hypot(a.error[k], b.error[k]);
@@ -90,7 +91,8 @@ Material plastic(const glm::vec3 color, const float roughness) {
     return material;
 }
 
-// Two lights of different size and colour over a glossy floor; a ball of rough metal and a diffuse one.
+// Returns two lights of different size and colour over a glossy floor with two balls, one of rough metal and
+// one diffuse.
 PathScene quadsOverFloor() {
     PathScene made;
     Scene& scene = made.scene;
@@ -104,7 +106,7 @@ PathScene quadsOverFloor() {
     return made;
 }
 
-// The same things under a map with a bright patch, and a lamp that shares the table with it.
+// Returns two balls under an environment map with a bright patch and a lamp; both are in the light table.
 PathScene ballsUnderMap() {
     PathScene made;
     Scene& scene = made.scene;
@@ -129,7 +131,7 @@ PathScene ballsUnderMap() {
     return made;
 }
 
-// A closed room whose ceiling shines, with two boxes.
+// Returns a closed room with a lamp below its ceiling and two boxes.
 PathScene room() {
     PathScene made;
     Scene& scene = made.scene;

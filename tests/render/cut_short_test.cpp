@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A driver that ends loops early (Mesa's llvmpipe does, after 65,535 turns) must not lose hits unseen.
+// A driver that ends loops early (Mesa's llvmpipe does, after 65,535 turns) must not lose hits without an
+// error.
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "fixtures/vulkan_environment.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The views of the algorithm on the device against the same functions fed by the twins, to the bit; cuts of
-// the work, replaced shaders, traces that a driver ends.
+// Compares the debug views of the device bit by bit with the same functions on the results of the twins. Also
+// tests divided work, replaced shaders and traces that the driver ends early.
 #include "fixtures/shapes.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/reference/twins.h"
@@ -24,9 +24,9 @@ namespace metamarch::tests {
 namespace {
 
 const std::string kDefaultTraversal(traversals().front());
-constexpr float kManySteps = 24.0f; // less than some rays take, more than most
+constexpr float kManySteps = 24.0f; // some rays take more, most take less
 
-// A scene on both sides.
+// A scene on the device and on the CPU.
 class BothSides {
   public:
     enum class Where { fasterMemory, storageBuffers };
@@ -57,7 +57,7 @@ class BothSides {
         return makeCamera(made.view, width, height, made.camera);
     }
 
-    // From the eye to the far end of the scene.
+    // Returns a distance that is at least that from the eye to the far end of the scene.
     float reach() const {
         const Bounds bounds = boundsOf(made.scene);
         return glm::length(made.view.eye - bounds.lo) + glm::length(bounds.hi - bounds.lo);
@@ -130,15 +130,15 @@ class Inspector : public testing::TestWithParam<InspectedScene> {
     void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
 };
 
-// Of a scene, of the default traversal, every view with every camera; of its rivals what differs, steps and
-// tests, and one view of each program.
+// Draws all views with all cameras for the default traversal. For the other traversals it draws only the
+// views that differ, steps and tests, and one view of each program.
 TEST_P(Inspector, drawsWhatTheTwinsDraw) {
     const BothSides sides(GetParam().make(), GetParam().options);
     SceneCamera flat = sides.view();
     flat.projection = SceneCamera::Projection::orthographic;
     flat.verticalExtent = 0.5f * sides.reach();
     const Camera cameras[] = {
-        sides.camera(75, 50), // not whole tiles
+        sides.camera(75, 50), // not multiples of a tile's size
         makeCamera(flat, 61, 47),
         makeCamera(sides.view(), 70, 35, {.isPanorama = true}),
     };
@@ -160,7 +160,7 @@ TEST_P(Inspector, drawsWhatTheTwinsDraw) {
             for (const Camera& camera : std::span(cameras).first(isDefault ? 3 : 1)) {
                 const auto expected = sides.onCpu(traversal, camera, view, scaleMax);
                 expectSamePicture(draw(inspector, camera, view, scaleMax), expected, camera.width);
-                // Brute force takes as many tests for each ray.
+                // Brute force makes the same number of tests for each ray, so its view may have one colour.
                 EXPECT_TRUE(!isDefault || colorsIn(expected) > 1u) << "nothing to see";
             }
         }
@@ -206,7 +206,7 @@ TEST_F(InspectorWork, drawsAnEmptyScene) {
     }
 }
 
-// The lens is closed: a view has no samples to blur with.
+// A view has one ray per pixel, which goes through the centre of the lens.
 TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
     const Camera camera = makeCamera(sides.view(), 40, 30, {.apertureRadius = 0.5f, .focusDistance = 1.0f});
     render::Inspector inspector = sides.inspector(kDefaultTraversal, 40 * 30);
@@ -277,7 +277,7 @@ TEST_F(InspectorWork, refusesWhatItHasNoRoomForAndWhatIsNoView) {
     inspector.start(sides.camera(142, 7), kViewSteps, 1.0f);
 }
 
-// The embedded shader of a kernel with another colour for misses.
+// Returns the embedded shader of a kernel, changed to use another colour for misses.
 std::vector<std::uint32_t> recolored(const std::string_view kernel, const std::string_view traversal,
                                      const Memory memory, const std::uint32_t color) {
     const auto all = shaders();
@@ -301,7 +301,7 @@ TEST_F(InspectorWork, takesShadersInPlaceOfTheEmbeddedOnes) {
         return expected;
     };
     render::Inspector inspector = [&] {
-        // They need not live any longer.
+        // The inspector must copy them, because they are destroyed here.
         const auto spirv = recolored("inspect", kDefaultTraversal, sides.memory(), kOther);
         const auto cellsSpirv = recolored("cells", "", sides.memory(), kOtherOfCells);
         return sides.inspector(kDefaultTraversal, 40 * 30, spirv, cellsSpirv);
@@ -312,7 +312,7 @@ TEST_F(InspectorWork, takesShadersInPlaceOfTheEmbeddedOnes) {
     expectSamePicture(draw(inspector, camera, kViewLeafId, 1.0f), withMisses(kViewLeafId, kOtherOfCells), 40);
 }
 
-// More triangles in one leaf than llvmpipe tests in a loop.
+// One leaf has more triangles than llvmpipe tests in a loop.
 TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
     PathScene made;
     addSphere(made.scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures by one call, on the device and on the CPU: progress, cancelling, what the result says, its file.
+// renderPicture on the device and on the CPU: progress, cancelling, the result's members and its file.
 #include "fixtures/shapes.h"
 #include "fixtures/temporary_folder.h"
 #include "fixtures/vulkan_environment.h"
@@ -25,7 +25,7 @@ enum class Backend { cpu, device };
 
 std::string nameOfBackend(const Backend backend) { return backend == Backend::cpu ? "cpu" : "device"; }
 
-// A ball over a floor, in a picture whose sides are no multiples of a tile's.
+// A ball over a floor. The size of the picture is not a multiple of a tile's.
 class Picture : public testing::TestWithParam<Backend> {
   protected:
     Picture()
@@ -67,7 +67,7 @@ class Picture : public testing::TestWithParam<Backend> {
 
 bool isSame(const FilmPixel& a, const FilmPixel& b) { return std::memcmp(&a, &b, sizeof(FilmPixel)) == 0; }
 
-// Every pixel is whole or empty; the number of the whole ones.
+// Expects that every pixel is whole or empty, and returns the number of whole ones.
 std::size_t countWhole(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& whole) {
     EXPECT_EQ(film.size(), whole.size());
     std::size_t count = 0;
@@ -171,7 +171,7 @@ TEST_P(Picture, writesHowItWasMade) {
 INSTANTIATE_TEST_SUITE_P(Backends, Picture, testing::Values(Backend::cpu, Backend::device),
                          [](const auto& instance) { return nameOfBackend(instance.param); });
 
-// The structure and what lies on the device are made once.
+// The structure and its buffers are made once for several pictures.
 TEST(DeviceScene, servesSeveralPictures) {
     const auto scene = std::make_shared<const Scene>(unitCube());
     LightChoice light;

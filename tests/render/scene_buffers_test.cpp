@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes larger than one buffer of the device, made of small ones under a small limit.
+// Scenes that are larger than one buffer of the device. Small scenes with a small limit replace large ones.
 #include "fixtures/expect_error.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
@@ -22,7 +22,7 @@ class SceneBuffers : public testing::Test {
 
     std::uint64_t records() const { return structure.triangles.size(); }
 
-    // The least limit that needs no more than `chunks` buffers for the records.
+    // Returns the smallest limit with which `chunks` buffers suffice for the records.
     std::uint64_t limitFor(const std::uint64_t chunks) const {
         return (records() + chunks - 1) / chunks * sizeof(TriangleRecord);
     }
@@ -31,13 +31,13 @@ class SceneBuffers : public testing::Test {
         return {vulkan::testDevice(), structure, shading, limit};
     }
 
-    // Few cells, so that the records are by far the largest buffer.
+    // The scene has few cells, so that the records are by far the largest buffer.
     const Scene scene = triangleSoup(4000, 8);
     const AccelerationStructure structure = buildAccelerationStructure(scene, {{}, 4096u, {}});
     const ShadingData shading = makeShadingData(scene);
 };
 
-// With the default traversal: the chunks are the business of one function that all of them call.
+// The default traversal is enough, because only one function, which all traversals call, knows the chunks.
 TEST_F(SceneBuffers, giveTheSameHitsInChunks) {
     const std::vector<RayQuery> rays = trickyRays(scene, structure, 20000, 9);
     const std::string traversal(traversals().front());
@@ -105,7 +105,7 @@ TEST(Traversals, areRefusedByNameWhereADeviceCannotRunThem) {
     EXPECT_TRUE(render::missingFor(report, "ray_query").empty());
 }
 
-// Storage and texel buffers: two builds of every shader.
+// Every shader is built for storage buffers and for texel buffers; both builds must give the same hits.
 TEST_F(SceneBuffers, giveTheSameHitsFromEitherMemory) {
     const std::vector<RayQuery> rays = trickyRays(scene, structure, 2000, 11);
     const vulkan::Device& device = vulkan::testDevice();

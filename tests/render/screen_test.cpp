@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a window shows: films that grow in small pieces, the bytes made of them, pictures laid over each
-// other. The device against the same functions on the CPU, to the bit.
+// The pictures of a window: films that grow in small pieces, their conversion to bytes, and the composition
+// of pictures. Compares the device bit by bit with the same functions on the CPU.
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/render/kernel.h"
@@ -25,7 +25,7 @@ namespace {
 
 const std::string kDefaultTraversal(traversals().front());
 
-// A lamp over a floor, with a ball between them, in a picture whose sides are no multiples of a tile's.
+// A lamp over a floor with a ball between them. The size of the picture is not a multiple of a tile's.
 class GrowingFilm : public testing::Test {
   protected:
     static constexpr std::uint32_t kWidth = 51;
@@ -81,7 +81,7 @@ class GrowingFilm : public testing::Test {
     Camera camera;
 };
 
-// Seconds that no submission is as short as: one tile of one sample at a time.
+// A time in seconds that is shorter than any submission, so that each one takes one sample of one tile.
 constexpr double kSmallest = 1e-9;
 
 TEST_F(GrowingFilm, isTheSameInAnyPieces) {
@@ -113,7 +113,7 @@ TEST_F(GrowingFilm, leavesNoPixelFarBehind) {
 TEST_F(GrowingFilm, beginsAnewWithAnotherCamera) {
     render::PathTracer one = tracer();
     one.start(camera, settings, {0, render::Tiling(camera).count});
-    one.advance(3, 1, kSmallest); // and not to its end
+    one.advance(3, 1, kSmallest); // does not finish the film
     one.advance(3, 1, kSmallest);
     const SceneCamera above = lookAt({0.0f, 4.0f, 0.5f}, {0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f});
     const Camera smaller = makeCamera(above, kWidth / 3, kHeight / 3, {});
@@ -149,7 +149,7 @@ TEST_F(GrowingFilm, countsItsWork) {
 TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
     render::PathTracer one = tracer();
     one.start(camera, settings, {0, render::Tiling(camera).count});
-    one.advance(1, 1, kSmallest); // most pixels have none yet
+    one.advance(1, 1, kSmallest); // most pixels still have no samples
     const render::Resolver resolver(vulkan::testDevice(), one.film(), kWidth * kHeight);
     for (int samples = 1; samples < 4; ++samples) {
         const std::vector<FilmPixel> film = filmOf(one);
@@ -223,7 +223,8 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
     }
 }
 
-// The whole window at its own size; parts of it, as two sides are; a film smaller than the window.
+// The cases are the whole window at its own size, parts of it as in a split view, and a film that is smaller
+// than the window.
 INSTANTIATE_TEST_SUITE_P(Screen, Presented,
                          testing::Values(PresentPush{130, 21, 0, 130, 130, 21, 65, 11, 0},
                                          PresentPush{130, 21, 0, 57, 130, 21, 9, 2, 1},

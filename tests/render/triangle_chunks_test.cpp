@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the triangle records are cut into buffers.
+// The division of the triangle records into buffers.
 #include "fixtures/expect_error.h"
 #include "metamarch/render/scene_buffers.h"
 
@@ -8,7 +8,8 @@
 namespace metamarch::render {
 namespace {
 
-constexpr std::uint64_t kRange = std::uint64_t{1} << 27; // lavapipe's, and the least that Vulkan allows
+constexpr std::uint64_t kRange = std::uint64_t{1}
+                                 << 27; // that of lavapipe, which is the least that Vulkan allows
 constexpr std::uint64_t kRecordsPerChunk = kRange / sizeof(TriangleRecord);
 
 TEST(TriangleChunks, areAsFewAsTheRangeAllows) {
@@ -29,7 +30,7 @@ TEST(TriangleChunks, holdWholeRecords) {
     }
 }
 
-// Shaders count records in 32 bits.
+// Shaders count records with 32 bits.
 TEST(TriangleChunks, keepTo32BitsWhateverTheRange) {
     EXPECT_EQ(chunkTriangles(kRecordsPerChunk, std::uint64_t{1} << 40).triangles, 0xffffffffu);
     EXPECT_EQ(chunkTriangles(std::uint64_t{1} << 32, std::uint64_t{1} << 40).count, 2u);

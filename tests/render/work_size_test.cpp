@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the seconds of one submission decide the size of the next.
+// The time of one submission decides the size of the next.
 #include "metamarch/render/work_size.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kMost = 1000;
 
-// Past the first submission.
+// Returns a WorkSize after the first submission.
 WorkSize warmWork(const std::uint32_t most) {
     WorkSize work(most);
     work.finished(1.0);

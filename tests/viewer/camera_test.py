@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Hands move the camera, and key c says the options that make the same picture without a window."""
+"""The user moves the camera, and the key C prints the options that make the same picture without a window."""
 from display import MIDDLE, RIGHT, WHEEL_UP
 from viewer import CORNELL, OBJECTS, ViewerTest, main, triangle
 
@@ -12,7 +12,7 @@ CAMERAS = {"cameras": [{"type": "orthographic", "name": "plan",
 
 class CameraTest(ViewerTest):
     def assert_renders_alike(self, viewer, scene, *words):
-        """The window, its PNG, and what the program draws with the options of key c. Returns the options."""
+        """The window, its PNG and a render with the options of the key C must be equal. Returns the options."""
         options = viewer.settle()
         viewer.wait_for_samples()
         viewer.key("p")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A screen without a monitor (Xvfb), what hands do on it, and what is seen there."""
+"""A screen without a monitor (Xvfb): its windows, its input and its screenshots."""
 import ctypes
 import os
 import select
@@ -15,13 +15,13 @@ LEFT, MIDDLE, RIGHT, WHEEL_UP, WHEEL_DOWN = 1, 2, 3, 4, 5
 
 
 def die_with_parent():
-    """For the start of a process: a test that is killed takes its window and its screen with it."""
+    """Makes a new process die with the test, so that a killed test leaves no window and no screen behind."""
     set_parent_death_signal = 1  # PR_SET_PDEATHSIG
     ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
 
 
 class Display:
-    """An X server of its own, connected to it. `name` is what DISPLAY takes."""
+    """Starts an X server and connects to it. `name` is the value for DISPLAY."""
 
     def __init__(self, width=1600, height=1000):
         if shutil.which("Xvfb") is None:
@@ -50,7 +50,7 @@ class Display:
     # --- windows ---
 
     def windows(self):
-        """Those that a program shows or has shown: with a title."""
+        """Returns the windows that a program shows or has shown; they have a title."""
         return [window for window in self.root.query_tree().children if self.title(window)]
 
     def title(self, window):
@@ -58,14 +58,14 @@ class Display:
         return found if found is not None else ""
 
     def screenshot(self, window):
-        """(width, height, bytes of R G B in rows from the top)."""
+        """Returns (width, height, bytes of R G B in rows from the top)."""
         shape = window.get_geometry()
         image = window.get_image(0, 0, shape.width, shape.height, X.ZPixmap, 0xffffffff)
         pixels = bytearray(3 * shape.width * shape.height)
         pixels[0::3], pixels[1::3], pixels[2::3] = image.data[2::4], image.data[1::4], image.data[0::4]
         return shape.width, shape.height, bytes(pixels)
 
-    # --- hands ---
+    # --- input ---
 
     def move(self, window, x, y):
         place = window.translate_coords(self.root, 0, 0)
@@ -81,14 +81,14 @@ class Display:
         self.x.sync()
 
     def key(self, *names):
-        """Presses keys one after the other, then lets go of them in the opposite order: "Control_L", "s"."""
+        """Presses keys one after the other and releases them in the opposite order: "Control_L", "s"."""
         codes = [self.x.keysym_to_keycode(XK.string_to_keysym(name)) for name in names]
         for code in codes:
             xtest.fake_input(self.x, X.KeyPress, code)
         for code in reversed(codes):
             xtest.fake_input(self.x, X.KeyRelease, code)
         self.x.sync()
-        time.sleep(0.005)  # GLFW takes two presses of a key in one millisecond for one
+        time.sleep(0.005)  # GLFW treats two presses of a key within a millisecond as one
 
     def hold(self, name, is_down):
         code = self.x.keysym_to_keycode(XK.string_to_keysym(name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files dropped on a window: the source's side of XDND, version 5, https://freedesktop.org/wiki/Specifications/XDND."""
+"""Drops files on a window: the source's side of XDND, version 5, https://freedesktop.org/wiki/Specifications/XDND."""
 import select
 import time
 
@@ -11,7 +11,7 @@ SECONDS = 60
 
 
 class Source:
-    """A program of its own that offers `files` to `target` and waits until they were taken."""
+    """A separate program that offers files to a window and waits until the window has taken them."""
 
     def __init__(self, name):
         self.x = display.Display(name)
@@ -29,7 +29,7 @@ class Source:
         if not self.wait_for("XdndStatus")[1] & 1:
             raise RuntimeError("the window does not take what is dropped")
         self.say("XdndDrop", 0, X.CurrentTime, 0, 0)
-        self.wait_for("XdndFinished")  # GLFW 3.3 says how many bytes it took where XDND has a flag
+        self.wait_for("XdndFinished")  # its flag is ignored: GLFW 3.3 stores a number of bytes there
 
     def close(self):
         self.x.close()
@@ -41,7 +41,7 @@ class Source:
         self.x.flush()
 
     def wait_for(self, message):
-        """The five numbers of the target's answer; meanwhile it may ask for the data."""
+        """Returns the five numbers of the target's answer. Meanwhile the target may ask for the data."""
         wanted = self.x.intern_atom(message)
         end = time.monotonic() + SECONDS
         while time.monotonic() < end:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files dropped on the window: scenes, maps of light, and what is neither."""
+"""Files dropped on the window: scenes, environment maps, and other files."""
 import subprocess
 
 from viewer import CORNELL, OBJECTS, ViewerTest, main, triangle
@@ -37,7 +37,7 @@ class DropTest(ViewerTest):
                 viewer.wait_for_line(rf".*{name}.*")
                 viewer.wait_for_title(r"cornell\.glb - path, 2 of 2 samples - meta_table - metamarch")
                 self.assert_shows(viewer, before)
-        viewer.drop(OBJECTS)  # none of them is in the way
+        viewer.drop(OBJECTS)  # the refused files have no effect
         viewer.wait_for_title(r"objects\.glb - path, 2 of 2 samples - meta_table - metamarch")
         self.quit(viewer)
 

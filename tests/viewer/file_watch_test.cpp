@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that change, come and go.
+// Files change, appear and disappear.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/viewer/file_watch.h"
 
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-// Every write is at another time, however coarse the file system's clock is.
+// Gives every write a different time, however coarse the file system's clock is.
 void write(const fs::path& file) {
     static fs::file_time_type time = fs::file_time_type::clock::now();
     std::ofstream(file) << "words\n";
@@ -33,7 +33,7 @@ bool changesSoon(FileWatch& watch) {
     return true;
 }
 
-// For some looks, which are a quarter of a second apart.
+// Returns true if nothing changes for several looks, which are a quarter of a second apart.
 bool staysQuiet(FileWatch& watch) {
     const auto end = std::chrono::steady_clock::now() + 1s;
     while (std::chrono::steady_clock::now() < end) {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What is under the cursor: a triangle, and the march of a ray to it."""
+"""Picks a triangle under the cursor, and marches a ray to it."""
 from viewer import CORNELL, ViewerTest, main
 
-# host/viewer/overlay.cpp; without those whose ink lets the picture through.
+# The opaque colours of host/viewer/overlay.cpp.
 PICKED = bytes((255, 210, 60))
 HIT = bytes((255, 60, 90))
 
@@ -27,7 +27,7 @@ class PickTest(ViewerTest):
         self.assertGreater(count(marched, HIT), 20)
         self.assertNotEqual(marched, picked)
 
-        viewer.drag((80, 60), (110, 70))  # the ray stays where it was, the camera does not
+        viewer.drag((80, 60), (110, 70))  # the camera moves, the ray stays
         turned = viewer.wait_for_still()
         self.assertNotEqual(turned, marched)
         self.assertGreater(count(turned, HIT), 0)

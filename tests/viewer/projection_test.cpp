@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// World to window, against the rays that go the other way.
+// Compares the projection of points to the window with the rays through these pixels.
 #include "metamarch/shading/view.h"
 #include "metamarch/viewer/projection.h"
 
@@ -49,7 +49,7 @@ TEST(Projection, cutsWhatIsBehindTheEye) {
         const auto found = isTurned ? project(camera, behind, before) : project(camera, before, behind);
         ASSERT_TRUE(found.has_value());
         EXPECT_LT(glm::distance((*found)[isTurned ? 1 : 0], {200, 90}), kPixelSlack);
-        // The other end leaves the picture, away from where its mirror image would be.
+        // The other end is outside the picture, on the side opposite to its mirror image.
         const glm::vec2 end = (*found)[isTurned ? 0 : 1];
         EXPECT_LT(end.x, 0.0f);
         EXPECT_GT(end.y, 200.0f);

@@ -10,7 +10,7 @@ from viewer import CORNELL, OBJECTS, READY, ViewerTest, main, triangle
 class ReloadTest(ViewerTest):
     @staticmethod
     def replace(scene, content):
-        """As most programs write files: another one takes the place of the old."""
+        """Replaces the file by another one, as most programs do when they save."""
         other = scene.with_suffix(".new")
         other.write_bytes(content)
         os.replace(other, scene)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A window of other sizes, and one that is not there for a while."""
+"""A window that changes its size, and one that is minimised for a while."""
 from viewer import CORNELL, ViewerTest, main
 
 
@@ -24,7 +24,7 @@ class ResizeTest(ViewerTest):
         self.quit(viewer)
 
     def test_a_window_that_is_hidden_and_shown_again(self):
-        """As window managers of X minimise it."""
+        """Hides the window as window managers of X do when they minimise it."""
         viewer = self.open(CORNELL, "--spp", "2")
         viewer.wait_for_samples()
         first = viewer.wait_for_still()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures from the window to files."""
+"""Saves pictures of the window to files."""
 from viewer import CORNELL, ViewerTest, main
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes that are asked for, and what the thread that reads them answers.
+// Requests for scenes, and the answers of the thread that reads them.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/error/error.h"
 #include "metamarch/viewer/scene_loader.h"
@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Triangles side by side, each a mesh of its own.
+// Writes a file with triangles side by side. Each is a separate mesh.
 std::filesystem::path makeScene(const TemporaryFolder& folder, const std::string& name, const int triangles) {
     const std::filesystem::path path = folder / name;
     std::ofstream file(path);
@@ -35,7 +35,7 @@ SceneRequest requestOf(const std::filesystem::path& file) {
     return request;
 }
 
-// All of them, until there is nothing left to do.
+// Returns all answers until the loader has nothing left to do.
 std::vector<SceneLoader::Answer> answers(SceneLoader& loader) {
     std::vector<SceneLoader::Answer> all;
     const auto end = std::chrono::steady_clock::now() + 60s;
@@ -93,7 +93,8 @@ TEST(SceneLoader, sharesWhatARequestDoesNotChange) {
     EXPECT_NE(less->shown.structure, first->shown.structure);
     EXPECT_EQ(less->shown.scene->triangles.size(), 1u);
     EXPECT_EQ(less->shown.scene->triangleMesh, std::vector<std::uint32_t>{0});
-    EXPECT_EQ(less->bounds.hi, glm::vec3(3, 1, 0)); // of the whole: the camera stays
+    EXPECT_EQ(less->bounds.hi,
+              glm::vec3(3, 1, 0)); // the bounds are those of the whole scene, so the camera stays
 
     request.reading = 1;
     const auto again = load(loader, request);
@@ -143,7 +144,7 @@ TEST(SceneLoader, saysWhyThereIsNoScene) {
     ASSERT_TRUE(all[0].refusal);
     EXPECT_NE(std::string(all[0].refusal->what()).find("missing.hdr"), std::string::npos);
 
-    // What was refused takes nothing away.
+    // A refused request does not discard the last scene.
     EXPECT_EQ(load(loader, good)->whole, first->whole);
 }
 

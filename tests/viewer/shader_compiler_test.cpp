@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaders compiled while the program runs, against those of the build.
+// Compares shaders that are compiled at run time with those of the build.
 #include "fixtures/temporary_folder.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/viewer/shader_compiler.h"
@@ -66,7 +66,7 @@ TEST(ShaderCompiler, saysFileAndLineOfAnError) {
     std::ofstream(kernel) << good;
     EXPECT_EQ(errorOf(), "");
 
-    // In a file that is included, and by a file that is missing.
+    // Errors name an included file with an error, and one that is missing.
     std::ofstream(folder / "shaders/lib/shading.glsl", std::ios::app) << "\nnothing;\n";
     EXPECT_NE(errorOf().find("lib/shading.glsl:"), std::string::npos) << errorOf();
     fs::remove(folder / "shaders/lib/shading.glsl");
@@ -78,7 +78,7 @@ TEST(ShaderReload, keepsTheShadersThatWereGood) {
     const TemporaryFolder folder;
     fs::copy(kFolder, folder / "shaders", fs::copy_options::recursive);
     ShaderReload reload(folder / "shaders");
-    EXPECT_TRUE(reload.overrides().find("path", "kd_stack").empty()); // the program's own
+    EXPECT_TRUE(reload.overrides().find("path", "kd_stack").empty()); // the program uses the embedded shader
     EXPECT_FALSE(reload.lacks({"kd_stack"}));
     ASSERT_EQ(reload.compile({"kd_stack"}, Memory::storage), "");
     const auto spirv = reload.overrides().find("path", "kd_stack");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shaders that somebody edits while they draw."""
+"""Shaders that change while the viewer uses them."""
 import shutil
 
 from viewer import CORNELL, SOURCE, ViewerTest, main
@@ -21,8 +21,8 @@ class ShadersTest(ViewerTest):
         line = 1 + bad[:bad.index("nothing")].count("\n")
         kernel.write_text(bad)
         viewer.wait_for_line(rf"shader error: .*kernels/path\.glsl:{line}: .*")
-        self.assertNotEqual(viewer.wait_for_still(), before)  # a panel says it in full
-        viewer.drag((10, 60), (-20, 65))  # the old kernel goes on
+        self.assertNotEqual(viewer.wait_for_still(), before)  # a panel shows the whole error
+        viewer.drag((10, 60), (-20, 65))  # the old kernel is still in use
         options = viewer.settle()
         viewer.wait_for_samples()
 
@@ -36,7 +36,7 @@ class ShadersTest(ViewerTest):
         viewer.wait_for_samples()
         darker = viewer.wait_for_still()
         self.assertLess(sum(darker[2]), 0.9 * sum(moved[2]))
-        viewer.key("t")  # with the folder's shaders, too
+        viewer.key("t")  # the other traversal also uses the folder's shaders
         viewer.wait_for_line("shaders compiled anew")
         viewer.wait_for_title(r".* - path, 2 of 2 samples - rectilinear_table - metamarch")
         self.assert_shows(viewer, darker)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The viewer for a while: METAMARCH_SOAK_SECONDS, 15 by default. Its memory must not grow."""
+"""Uses the viewer for METAMARCH_SOAK_SECONDS, 15 by default. Its memory must not grow."""
 import os
 import random
 import re
@@ -11,10 +11,10 @@ from pathlib import Path
 from viewer import CORNELL, OBJECTS, READY, ViewerTest, main
 
 SECONDS = float(os.environ.get("METAMARCH_SOAK_SECONDS", "15"))
-# All of them take minutes; until each has been compiled once, the memory of compilers grows.
+# All traversals together take minutes. The memory of compilers grows until each has been compiled once.
 EVERY_TRAVERSAL = SECONDS >= 300
 WARM_ROUNDS = 12 if EVERY_TRAVERSAL else 1
-# Heaps of the driver and its compiler breathe by some MiB. What leaks in each frame is far more.
+# The heaps of the driver and its compiler vary by some MiB. A leak in each frame is far larger.
 MOST_GROWTH = 24  # MiB
 
 
@@ -25,7 +25,7 @@ def resident(process):
 
 class SoakTest(ViewerTest):
     def round(self, viewer, scene):
-        """Everything that makes and drops things on the device, and back to where it began."""
+        """Does everything that creates and destroys objects on the device, and returns to the first state."""
         dice = random.Random(1)
         for keys in ((), ("h", ), ("h", )):
             viewer.key(*keys)
@@ -49,11 +49,11 @@ class SoakTest(ViewerTest):
         viewer.settle()
 
     def test_memory_stays_flat(self):
-        # The validation layers keep a MiB of each pipeline that is gone.
+        # The validation layers keep a MiB of each destroyed pipeline.
         self.environment["METAMARCH_VALIDATION"] = "0"
-        # glibc gives threads that meet an arena each, and keeps what was once in it: steps of 50 MiB that are no leak.
+        # glibc gives threads that collide an arena each and never shrinks it: steps of 50 MiB that are no leak.
         self.environment["MALLOC_ARENA_MAX"] = "1"
-        # Where the program is built with it: memory that is given back comes back.
+        # AddressSanitizer, if the program is built with it, keeps freed memory; keep that small.
         self.environment["ASAN_OPTIONS"] = os.environ.get("ASAN_OPTIONS", "") + ":quarantine_size_mb=1"
         scene = self.tmp / "scene.glb"
         shutil.copyfile(CORNELL, scene)

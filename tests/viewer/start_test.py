@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A window opens, fills with all samples, and shows the headless picture."""
+"""A window opens, takes all samples, and shows the same picture as `metamarch render`."""
 from viewer import CORNELL, DEGENERATE, OBJECTS, ViewerTest, main
 
 

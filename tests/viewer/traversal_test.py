@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Traversals, two of them side by side, and the views of the algorithm."""
+"""Traversals, the split view and the debug views."""
 import re
 
 from display import LEFT
@@ -18,7 +18,7 @@ class TraversalTest(ViewerTest):
         viewer.key("x")
         viewer.wait_for_title(r".* 2 of 2 samples - kd_stack \| kd_restart - metamarch")
         width, height, split = viewer.wait_for_still()
-        self.assertNotEqual(split, first[2])  # the line between the sides, and their names
+        self.assertNotEqual(split, first[2])  # the split line and the names of the traversals
 
         def row(pixels, y, start, end):
             return pixels[3 * (y * width + start):3 * (y * width + end)]
@@ -27,7 +27,7 @@ class TraversalTest(ViewerTest):
             for start, end in ((0, width // 2 - 3), (width // 2 + 3, width)):
                 self.assertEqual(row(split, y, start, end), row(first[2], y, start, end))
         options = viewer.settle()
-        viewer.drag((80, 20), (40, 20), LEFT)  # of the line
+        viewer.drag((80, 20), (40, 20), LEFT)  # drags the split line
         self.assertEqual(viewer.settle(), options)
         viewer.key("x")
         viewer.wait_for_title(r".* 2 of 2 samples - kd_stack - metamarch")
@@ -35,7 +35,7 @@ class TraversalTest(ViewerTest):
         self.quit(viewer)
 
     def views(self):
-        """Their names in the order of the menu, as --help lists them."""
+        """The names of the views in the order of the menu; --help lists them."""
         listing = re.search(r"--view (\S.*?)\n", self.succeed("view", "--help")).group(1)
         return [" ".join(name.split()) for name in listing.split("|")]
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How hands move the camera, and the options that make it again.
+// Movements of the camera by the user, and the options that reproduce it.
 #include "metamarch/viewer/projection.h"
 #include "metamarch/viewer/view_camera.h"
 
@@ -45,7 +45,8 @@ ViewCamera somewhere(Dice& dice) {
     return camera;
 }
 
-// A file with an upright perspective camera, one that leans to its side, and one of parallel rays.
+// Returns a scene with an upright perspective camera, one that is tilted sideways, and one with parallel
+// rays.
 Scene withCameras() {
     Scene scene;
     scene.cameras.push_back(lookAt({1, 2, 5}, {0, 1, 0}, {0, 1, 0}));
@@ -69,7 +70,7 @@ glm::vec2 placeOf(const ViewCamera& camera, const glm::vec3& point) {
     return found ? (*found)[0] : glm::vec2(-1.0f);
 }
 
-// The words of key c, as the command line reads them.
+// Reads the text of the key C like the command line.
 std::map<std::string, std::string> parsed(const std::string& text) {
     std::map<std::string, std::string> options;
     std::istringstream words(text);
@@ -187,11 +188,11 @@ TEST(ViewCameraOrbit, keepsTheDistanceAndCrossesNoPole) {
         const glm::vec3 target = camera.target;
         const float distance = glm::length(camera.eye - target);
         for (int step = 0; step < 500; ++step) {
-            const float down = step % 100 < 50 ? 0.2f : -0.3f; // up to the poles, and against them
+            const float down = step % 100 < 50 ? 0.2f : -0.3f; // goes up to the poles and tries to pass them
             const glm::vec3 before = axesOf(camera).right;
             orbit(camera, step % 7 == 0 ? 0.4f : 0.0f, down);
             ASSERT_EQ(camera.target, target);
-            // Rounded with the coordinates, in each step anew.
+            // Each step rounds the coordinates, so the distance drifts a little.
             ASSERT_NEAR(glm::length(camera.eye - target), distance, 1e-3f * distance);
             const glm::vec3 right = axesOf(camera).right;
             ASSERT_GT(glm::dot(right, before), 0.5f) << "turned round at step " << step;
@@ -320,7 +321,7 @@ TEST(ViewCameraOfFile, keepsItsUpWhereItLeans) {
     ViewCamera leaning = ofFile(scene, 1, 3.0f);
     fly(leaning, 0.0f, 0.0f, 0.1f);
     EXPECT_LT(glm::distance(leaning.up, scene.cameras[1].up), 1e-6f);
-    // The picture does not turn when the hand takes it.
+    // The picture does not turn when the user moves the camera for the first time.
     EXPECT_LT(glm::distance(sceneCameraOf(leaning, scene).up, scene.cameras[1].up), 1e-6f);
 }
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of the viewer share: the real program in a window of a screen without a monitor, and hands.
+"""Code that the tests of the viewer share: runs the real program in a window of a screen without a monitor.
 
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main(). Nothing in here asserts
-how long a thing takes: waits end when what is waited for has come, or far too late.
+a duration: a wait ends when the awaited state is reached, or fails after a very long time.
 """
 import os
 import re
@@ -21,11 +21,11 @@ CORNELL = SCENES / "cornell.glb"
 DEGENERATE = SCENES / "degenerate.glb"
 OBJECTS = SCENES / "objects.glb"
 TOO_LATE = 120  # seconds
-READY = r".* - (?!busy)[\w |]+ - metamarch"  # a title while nothing is being read
+READY = r".* - (?!busy)[\w |]+ - metamarch"  # the title while no scene is being loaded
 
 
 def wait_until(what, condition):
-    """The first answer of `condition` that counts as true."""
+    """Returns the first result of `condition` that is true."""
     end = time.monotonic() + TOO_LATE
     while True:
         found = condition()
@@ -37,12 +37,12 @@ def wait_until(what, condition):
 
 
 def written(file):
-    """So far, by the process that has the file, too: its place in it must not move."""
+    """Returns the content so far. A process still writes the file, so the shared file position must not move."""
     return os.pread(file.fileno(), os.fstat(file.fileno()).st_size, 0).decode()
 
 
 class Viewer:
-    """`metamarch view WORDS`, running. `said` follows its stdout."""
+    """A running `metamarch view WORDS`."""
 
     def __init__(self, test, words, environment=None):
         self.test = test
@@ -92,7 +92,7 @@ class Viewer:
 
         return wait_until(report, alive)
 
-    # --- what is seen and said ---
+    # --- window, picture and output ---
 
     @property
     def title(self):
@@ -102,7 +102,7 @@ class Viewer:
         return self.display.screenshot(self.window)
 
     def wait_for_line(self, pattern):
-        """The next line on stdout that `pattern` matches as a whole, as a match; lines before it are skipped."""
+        """Returns the match of the next whole line on stdout that matches `pattern`; skips lines before it."""
         def find():
             for line in re.finditer(r"(.*)\n", self.stdout()[self.read:]):
                 matched = re.fullmatch(pattern, line[1])
@@ -117,27 +117,27 @@ class Viewer:
         return self.wait_until(f"a title '{pattern}'", lambda: re.fullmatch(pattern, self.title))
 
     def settle(self):
-        """Until all input so far has had its effect, and the title tells of it.
+        """Waits until all input so far has had its effect and the title shows it.
 
-        The first answer comes out of the frame that takes the last input, the second out of one after it.
+        The first answer comes from the frame that takes the last input, the second from a frame after it.
         """
         for _ in range(2):
             options = self.camera_options()
         return options
 
     def camera_options(self):
-        """What key c says: the options of `metamarch render` that make the camera."""
+        """Returns the output of the key C: the options of `metamarch render` that make the same camera."""
         self.read = len(self.stdout())
         self.key("c")
         return self.wait_for_line(r"(--(?:eye|camera) .*)")[1].split()
 
     def wait_for_samples(self):
-        """Until the path tracer has taken all of its samples."""
+        """Waits until the path tracer has taken all of its samples."""
         self.settle()
         self.wait_for_title(r".* - \w+, (\d+) of \1 samples - [\w |]+ - metamarch")
 
     def wait_for_still(self):
-        """The picture that no longer changes."""
+        """Waits until the picture no longer changes, and returns it."""
         self.settle()
         before = None
         equal = 0
@@ -152,11 +152,11 @@ class Viewer:
         return now
 
     def wait_for_picture(self, expected):
-        """Until the window shows `expected`, to the bit: its last picture may still be on the way to the screen."""
+        """Waits until the window shows exactly `expected`: its last picture may still be on the way to the screen."""
         self.wait_until(lambda: f"the expected picture; {difference(self.screenshot(), expected)}",
                         lambda: self.screenshot() == expected)
 
-    # --- hands ---
+    # --- input ---
 
     def key(self, *names):
         self.display.key(*names)
@@ -193,7 +193,7 @@ class Viewer:
         self.display.x.sync()
 
     def show(self):
-        """With the keyboard, which a window manager would give it."""
+        """Shows the window and gives it the keyboard, as a window manager would."""
         self.window.map()
         wait_until("a visible window", lambda: self.window.get_attributes().map_state == X.IsViewable)
         self.window.set_input_focus(X.RevertToParent, X.CurrentTime)
@@ -213,13 +213,13 @@ def difference(a, b):
 
 
 class ViewerTest(ProgramTest):
-    """Opens windows on a screen of its own. Each must close without a word on stderr: of the validation layers, too."""
+    """Opens windows on a separate screen. Each must close without output on stderr, even of the validation layers."""
 
     @classmethod
     def setUpClass(cls):
         cls.display = Display()
         cls.addClassCleanup(cls.display.close)
-        # Compiled shaders, for all tests of the class: they draw the same pictures with those.
+        # All tests of the class share compiled shaders.
         cache = tempfile.TemporaryDirectory(prefix="metamarch-viewer-cache-")
         cls.addClassCleanup(cache.cleanup)
         cls.cache = cache.name
@@ -229,7 +229,7 @@ class ViewerTest(ProgramTest):
         self.environment["XDG_CACHE_HOME"] = self.cache
 
     def open(self, scene, *words, size="160x120", panels=False):
-        """A viewer; quit() closes it."""
+        """Opens a viewer; quit() closes it."""
         hidden = () if panels else ("--no-panels",)
         viewer = Viewer(self, [scene, "--size", size, *hidden, *words])
         self.addCleanup(viewer.end)
@@ -243,7 +243,7 @@ class ViewerTest(ProgramTest):
         self.assertEqual(self.display.windows(), [])
 
     def pixels(self, name):
-        """A picture of a file as Display.screenshot() has those of windows."""
+        """Reads a picture file in the format of Display.screenshot()."""
         subprocess.run(["oiiotool", name, "--ch", "R,G,B", "-d", "uint8", "-o", "read.ppm"], cwd=self.tmp, check=True,
                        capture_output=True)
         data = (self.tmp / "read.ppm").read_bytes()
@@ -252,7 +252,7 @@ class ViewerTest(ProgramTest):
         return int(header[1]), int(header[2]), data[header.end():]
 
     def render(self, scene, *words, size="160x120"):
-        """What `metamarch render` makes of the same words, as screenshot() has it."""
+        """Returns the picture of `metamarch render` with the same words, in the format of screenshot()."""
         result = self.run_program("render", scene, "--size", size, "--quiet", *words, "-o", "headless.png")
         self.assertEqual(result.returncode, 0, result.stderr)
         return self.pixels("headless.png")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""With the compile flags of a library no header is found of a library that it does not link."""
+"""With the compile flags of a library, the compiler finds no header of a library that it does not link."""
 
 import json
 import shlex
@@ -12,7 +12,7 @@ from libraries import read_libraries, visible
 
 
 def compile_flags(commands, library):
-    """The compiler and its flags for a source of the library, without the file and the output."""
+    """Returns the compiler and its flags for a source of the library, without the file and the output."""
     entry = next(entry for entry in commands if Path(entry["file"]) in library.sources)
     words = shlex.split(entry["command"])
     first = next(i for i, word in enumerate(words) if Path(word).name != "ccache")
@@ -32,7 +32,7 @@ def main():
     count = 0
     for library in libraries.values():
         if not library.sources:
-            continue  # headers alone: they are compiled by those who link them
+            continue  # a library without sources has no compile flags
         flags, directory = compile_flags(commands, library)
         empty = compile_text(flags, directory, "")
         assert empty.returncode == 0, f"{library.name}: {empty.stderr}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every #include of a library names a header of its own, of a library that it links, or of the standard."""
+"""Every #include of a library names a header of its own, of a library that it links, or of the standard library."""
 
 import re
 import sys
@@ -7,7 +7,7 @@ from pathlib import Path
 
 from libraries import read_libraries, visible
 
-# Beginnings of header names, the target that brings them, and the libraries that may use them; none: whoever links it.
+# (prefix of header names, target that provides them, libraries that may use them; None: every library that links it)
 OTHERS = [
     ("CLI/", "CLI11::CLI11", ["cli"]),
     ("GLFW/", "glfw", ["viewer"]),
@@ -28,14 +28,14 @@ OTHERS = [
     ("webp/", "PkgConfig::WEBP", ["scene"]),
 ]
 POSIX = ["fcntl.h", "unistd.h", "sys/"]
-# Prints the versions of what the program is built from.
+# This file prints the versions of the libraries that the program is built with.
 VERSIONS = "host/cli/version.cpp"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def complaint(libraries, library, targets, file, bracket, header):
-    """What is wrong with an include, or nothing."""
+    """Returns the fault of an include, or None."""
     own = re.match(r"metamarch/([^/]+)/(.+)", header)
     if own:
         name, path = own.groups()
@@ -49,7 +49,7 @@ def complaint(libraries, library, targets, file, bracket, header):
     if bracket == '"':
         if library.name == "shared":
             return None if (library.folder / header).is_file() else "no header of shared has this name"
-        # What the build writes for one file.
+        # The build writes this header for one file.
         return None if header == "git_commit.h" and str(file).endswith(VERSIONS) else "not a path from metamarch/"
     if re.fullmatch(r"[a-z0-9_]+", header) or header.startswith(tuple(POSIX)):
         return None

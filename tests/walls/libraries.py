@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The libraries as CMake knows them: the file that tests/walls/CMakeLists.txt writes."""
+"""Reads the libraries as CMake knows them from the file that tests/walls/CMakeLists.txt writes."""
 
 import json
 import re
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def split(links):
-    """The names in a list of CMake's, without the expressions around them."""
+    """Returns the names in a CMake list, without generator expressions around them."""
     return [re.sub(r"^\$<(?:LINK_ONLY|BUILD_INTERFACE):(.*)>$", r"\1", link) for link in links.split(";") if link]
 
 
@@ -18,19 +18,19 @@ class Library:
         self.internal = split(entry["METAMARCH_INTERNAL"])
         self.sources = [self.folder / source for source in split(entry["SOURCES"])]
         self.headers = sorted(self.folder.rglob("*.h"))
-        # What it passes on to those who link it, and what it links itself.
+        # `public` are the targets that it passes on to libraries that link it, `links` those that it links itself.
         interface = entry["INTERFACE_LINK_LIBRARIES"]
         self.public = split(";".join(link for link in interface.split(";") if "LINK_ONLY" not in link))
         self.links = split(entry["LINK_LIBRARIES"]) or self.public
 
 
 def read_libraries(file):
-    """By name."""
+    """Returns {name: Library}."""
     return {entry["name"]: Library(entry) for entry in json.loads(Path(file).read_text())}
 
 
 def visible(libraries, library):
-    """The targets whose headers `library` may include: what it links, and what these pass on."""
+    """Returns the targets whose headers `library` may include: those that it links, and those that these pass on."""
     seen = set()
     waiting = list(library.links)
     while waiting:
