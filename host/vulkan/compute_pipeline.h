@@ -22,8 +22,8 @@ struct KernelInfo {
     std::map<uint32_t, vk::Format> texelBindings{}; // binding number to texel format
     std::vector<uint32_t> hierarchyBindings{};      // likewise, for box hierarchies
     uint32_t pushConstantSize = 0;                  // bytes; 0: none
-    std::map<uint32_t, uint32_t>
-        specialization{}; // constant_id to its 32 bits (std::bit_cast a float or an int)
+    // Maps constant_id to the 32 bits of its value (std::bit_cast a float or an int).
+    std::map<uint32_t, uint32_t> specialization{};
 };
 
 // Move-only. Drivers may postpone compilation to the first dispatch (lavapipe does), so warm up before

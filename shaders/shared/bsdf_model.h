@@ -43,8 +43,7 @@ struct Bsdf {
 
     // The facets of the base.
     vec2 alpha;
-    float
-        meanAlpha; // of the isotropic facets that stand in for anisotropic ones in albedos: see alphaTowards
+    float meanAlpha; // a mean of both: see alphaTowards
     float lengthOut; // facetLength of wo
     float balanceOut;
     bool isSmooth;     // the lobes of the facets are deltas

@@ -20,10 +20,10 @@ const uint kViewMaterialId = 8u;
 // Views of the meta table's content at the hit point.
 const uint kViewLeafId = 9u;
 const uint kViewCellBorders = 10u; // lattice planes, and where they divide leaves
-const uint kViewExitBoxes = 11u;   // of the leaf
+const uint kViewExitBoxes = 11u;   // exit boxes of leaves
 
 struct InspectPush {
-    uint firstTile; // of kTilePixels (primary.h), numbered in rows
+    uint firstTile; // tiles have kTilePixels pixels (primary.h) and are numbered row by row
     uint tilesPerRow;
     uint view;
     float scaleMax; // positive; the count with the hottest colour, or the depth that is black, in world units

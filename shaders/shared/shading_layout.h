@@ -84,8 +84,7 @@ const uint kTextureNearest = 16u;         // nearest filter when magnified; othe
 const uint kTextureMinifiedNearest = 32u; // nearest filter when minified; otherwise bilinear
 const uint kTextureBetweenLevels = 64u;   // when minified, blend two levels; otherwise use the nearest level
 const uint kTextureSecondSet = 128u;      // use the second set of texture coordinates
-const uint kTextureLastLevelShift =
-    8u; // the bits above hold the coarsest level; 0: only the full size exists
+const uint kTextureLastLevelShift = 8u;   // of the coarsest level; it is 0 if there is only the full size
 
 // One use of a texture by a material.
 struct TextureUse {

@@ -23,8 +23,8 @@ struct ChannelComparison {
     bool judged = true;
     double rmse = 0.0;
     double relativeMse = 0.0; // mean of (a - b)^2 / (b^2 + 0.01): see kRelativeMseFloor
-    double meanDifference =
-        0.0; // mean of a - b: tells a bias from noise; NaN when infinities of both signs meet
+    // Mean of a - b, which distinguishes a bias from noise; NaN if there are infinities of both signs.
+    double meanDifference = 0.0;
     double maxDifference = 0.0; // largest |a - b|, found first at pixel worstX, worstY
     int worstX = 0;
     int worstY = 0;
@@ -36,10 +36,10 @@ struct ChannelComparison {
 
 struct Comparison {
     bool passed = false;
-    std::vector<std::string>
-        mismatches; // why the pictures cannot be equal: another size, a channel in only one
-    std::vector<ChannelComparison>
-        channels; // the ones in both, in the order of a; none when the sizes differ
+    // The reasons why the pictures cannot be equal: different sizes, a channel that only one has.
+    std::vector<std::string> mismatches;
+    // The channels that both have, in the order of a; none if the sizes differ.
+    std::vector<ChannelComparison> channels;
     std::uint64_t pixels = 0;
     std::uint64_t failingPixels = 0; // a pixel counts once, however many of its channels fail
     double failingPercent = 0.0;

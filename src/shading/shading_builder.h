@@ -13,9 +13,8 @@ namespace metamarch {
 inline constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 
 struct ShadingOptions {
-    bool isSingleScatter = false; // --brdf gltf
-    bool isWhite =
-        false; // every surface a white diffuse reflector without light of its own (--integrator ao)
+    bool isSingleScatter = false; // the BRDF `gltf`
+    bool isWhite = false;         // the integrator `ao`: all surfaces are white, diffuse and not emissive
 
     bool operator==(const ShadingOptions&) const = default;
 };
