@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the user's rays: --rays FILE.
+// Reads a file with rays of the user.
 #pragma once
 #include "metamarch/bench/ray_set.h"
 

@@ -99,7 +99,7 @@ class PathTracer {
     std::uint32_t taken = 0;
     std::uint32_t passEnd = 0;              // the number of samples that the current pass ends with
     std::uint32_t next = 0;                 // the next tile of the current pass
-    std::uint32_t fitting = kSamplesAtOnce; // the most samples per dispatch that the driver has finished
+    std::uint32_t fitting = kSamplesAtOnce; // the driver can probably finish this number per dispatch
     TileRange unfinished;                   // the last part, if the driver did not finish it
     PathCounters sums;
 };

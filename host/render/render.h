@@ -33,7 +33,7 @@ struct RenderCounts {
     double steps = 0.0; // of all rays
     double tests = 0.0;
     std::uint64_t hits = 0;     // pixels whose first sample hits a triangle
-    std::uint64_t rejected = 0; // samples whose radiance was not finite
+    std::uint64_t rejected = 0; // samples that FilmPixel rejects
 };
 
 struct RenderSeconds {

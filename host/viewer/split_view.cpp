@@ -6,10 +6,10 @@
 namespace metamarch::viewer {
 namespace {
 
-// Device time per frame for the coarse picture: together with the panels it fits into the 50 ms of 20 frames
+// Device time per frame for the coarse pictures: together with the panels it fits into the 50 ms of 20 frames
 // per second.
 constexpr double kQuickSeconds = 0.025;
-// Length of a submission once the coarse picture is whole; an event waits for at most one per viewport.
+// Device time per frame once the coarse pictures are whole; an event waits at most about that long.
 constexpr double kCalmSeconds = 0.06;
 constexpr double kMeasuredSeconds = 0.5; // rates are means over this time
 

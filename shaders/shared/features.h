@@ -10,7 +10,7 @@
 
 SHARED_BEGIN
 
-// Parts of the BSDF.
+// The parts of the BSDF.
 const uint kFeatureCoat = 1u << 0u;
 const uint kFeatureSheen = 1u << 1u;
 const uint kFeatureTransmission = 1u << 2u;

@@ -76,7 +76,7 @@ TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
             }
         }
     }
-    EXPECT_EQ(folder.fileCount(), 1u) << "a temporary file stayed";
+    EXPECT_EQ(folder.fileCount(), 1u) << "a temporary file is left";
 }
 
 TEST(ImageFile, ExrIsZippedFloat) {

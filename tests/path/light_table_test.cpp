@@ -124,7 +124,7 @@ TEST(PathLightTable, bothWaysNameTheSameDensity) {
     }
     EXPECT_GT(emitters, 1000);
     EXPECT_GT(far, 1000);
-    EXPECT_LE(atEdge, far / 1000) << "samples rounded to the next texel of the map";
+    EXPECT_LE(atEdge, far / 1000) << "too many samples were rounded to the next texel of the map";
 }
 
 TEST(PathLightTable, weightsOfBothWaysSumToOne) {

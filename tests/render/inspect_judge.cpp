@@ -19,7 +19,7 @@ const TriangleRecord& recordOf(const StructureSet& scene, const std::uint32_t tr
     const std::vector<TriangleRecord>& all = scene.triangles();
     const auto found = std::ranges::lower_bound(all, triangleId, {}, &TriangleRecord::triangleId);
     if (found == all.end() || found->triangleId != triangleId) {
-        throw std::logic_error("a hit of no non-degenerate triangle");
+        throw std::logic_error("the hit triangle has no record");
     }
     return *found;
 }

@@ -161,7 +161,7 @@ TEST_P(Inspector, drawsWhatTheTwinsDraw) {
                 const auto expected = sides.onCpu(traversal, camera, view, scaleMax);
                 expectSamePicture(draw(inspector, camera, view, scaleMax), expected, camera.width);
                 // Brute force makes the same number of tests for each ray, so its view may have one colour.
-                EXPECT_TRUE(!isDefault || colorsIn(expected) > 1u) << "nothing to see";
+                EXPECT_TRUE(!isDefault || colorsIn(expected) > 1u) << "the view has only one colour";
             }
         }
     }

@@ -244,7 +244,7 @@ void expectMembers(const SpirvLayout& layout, const SpirvStruct& found, const St
         EXPECT_EQ(*size, expected.members[i].size);
         end = member.offset.value_or(end) + static_cast<std::uint32_t>(*size);
     }
-    EXPECT_EQ(end, expected.size) << "padding without a name at the end";
+    EXPECT_EQ(end, expected.size) << "the struct ends with unnamed padding";
 }
 
 // A buffer has one member: a struct of the table, a number, or an array of these without gaps.
@@ -271,7 +271,7 @@ void expectBlock(const SpirvLayout& layout, const SpirvStruct& block) {
     if (size > sizeof(std::uint32_t) &&
         std::ranges::find(kVectorBuffers, block.name) == std::end(kVectorBuffers)) {
         const StructLayout* const element = findElement(block.name);
-        ASSERT_NE(element, nullptr) << "its words are not in the table of this test";
+        ASSERT_NE(element, nullptr) << "the struct of its words is not in the table of this test";
         EXPECT_EQ(element->size % size, 0u);
     }
 }

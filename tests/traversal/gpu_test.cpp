@@ -91,7 +91,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
     expectSameHits(few, std::span(stack).first(kBruteForceRays), brute, Counters::ignored);
     const auto hits = std::count_if(stack.begin(), stack.end(),
                                     [](const RayResult& result) { return result.triangleId != kNoTriangle; });
-    EXPECT_GT(hits, kRays / 20) << "too few hits to mean anything";
+    EXPECT_GT(hits, kRays / 20) << "too few hits for a meaningful test";
 
     const render::SceneBuffers buffers(device, structure, loaded.shading);
     for (const std::string_view traversal : offeredTraversals(device)) {

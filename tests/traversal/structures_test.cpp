@@ -162,7 +162,7 @@ TEST_P(Structures, gridCellsListTheirTriangles) {
         for (std::uint32_t k = 0; k < grid.cells[i].triangleCount; ++k) {
             listed.insert(grid.triangles[grid.cells[i].firstTriangle + k].triangleId);
         }
-        EXPECT_EQ(listed.size(), grid.cells[i].triangleCount) << "a triangle twice in cell " << i;
+        EXPECT_EQ(listed.size(), grid.cells[i].triangleCount) << "a triangle is listed twice in cell " << i;
         EXPECT_EQ(listed, expected[i]) << "cell " << i;
     }
 }
