@@ -24,7 +24,7 @@ double lap(std::chrono::steady_clock::time_point& start) {
     return seconds;
 }
 
-// Whether this file chooses the number of cells, rather than the user.
+// Returns true if this file chooses the number of cells, and not the user.
 bool choosesCells(const AccelerationOptions& options) {
     return !options.unit && !options.cells && !options.partition && options.table != TableMethod::gcd;
 }

@@ -22,7 +22,7 @@ struct MetaTable {
     std::vector<Leaf> leaves;         // indexed by leafId; each holds its exit box
     uvec3 resolution;                 // cells per axis
     std::vector<std::uint32_t> words; // layout: shared/meta_table.h
-    // In the order of the table's leaves; empty if those are the kd-tree's.
+    // The triangle records in the order of the table's leaves; empty if these are the kd-tree's leaves.
     std::vector<TriangleRecord> triangles;
 
     // Returns the id of the leaf that holds the cell.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user may choose about the tree and the table.
+// The user's choices for the tree and the table.
 #pragma once
 #include "metamarch/accel/partition.h"
 

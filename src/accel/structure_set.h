@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every structure that some traversal walks, over one scene; each is built when first asked for.
+// All structures that traversals walk, over one scene. Each is built when it is first used.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/bvh.h"
@@ -16,12 +16,13 @@
 
 namespace metamarch {
 
-// Any thread may ask at any time. References are good for the life of the set.
+// Any thread may use it at any time. References are valid as long as the set exists.
 class StructureSet {
   public:
     using Triangles = std::vector<TriangleRecord>;
 
-    // What `make` returns of the values of `inputs`. A call throws what `make` throws.
+    // A value that the first call makes with `make` from the values of `inputs`. A call throws what `make`
+    // throws.
     template <class T>
     class Lazy {
       public:
@@ -29,13 +30,13 @@ class StructureSet {
         explicit Lazy(Make make, const Lazy<Inputs>&... inputs)
             : build([this, make, &inputs...] { timed(make, inputs()...); }) {}
 
-        // A call and not code of the loops of src/reference, which inline all else.
+        // Not inlined into the loops of src/reference, which inline everything else.
         [[gnu::noinline]] const T& operator()() const {
             tbb::collaborative_call_once(once, build);
             return *value;
         }
 
-        // Wall time that building took; what `inputs` took is not in it.
+        // Returns the wall time of the build, without that of `inputs`.
         double seconds() const {
             (*this)();
             return buildSeconds;
@@ -60,9 +61,10 @@ class StructureSet {
 
     const AccelerationStructure& kdTree() const { return structure; }
 
-    // Each once, ascending ids.
+    // Each triangle once, with ascending ids.
     const Lazy<Triangles> triangles{[this] { return uniqueTriangles(structure.triangles); }};
-    // Each once, in the order of the kd-tree's leaves: what lies together in space does so here.
+    // Each triangle once, in the order of the kd-tree's leaves, so that neighbours in space are neighbours
+    // here.
     const Lazy<Triangles> spatialTriangles{[this] { return firstOccurrences(structure.triangles); }};
 
     const Lazy<std::vector<KdParent>> kdParents{

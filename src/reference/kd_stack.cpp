@@ -28,9 +28,9 @@ struct Pending {
     float tNear = ray.tNear;
     float tFar = ray.tFar;
 
-    // Holds here: every triangle that the ray meets before tNear has been tested; the stack holds what lies
-    // behind tFar, nearest on top. Each turn goes one node down or takes one off the stack, so it ends with
-    // the tree.
+    // Invariant: every triangle that the ray meets before tNear has been tested; the stack holds the nodes
+    // behind tFar, the nearest on top. Each turn goes one node down or pops one from the stack, so the loop
+    // ends.
     while (true) {
         ++trace.steps;
         const KdNode node = scene.tree.nodes[nodeId];
@@ -38,7 +38,8 @@ struct Pending {
             const int axis = static_cast<int>(splitAxis(node));
             const float offset = static_cast<float>(splitPlane(node)) - ray.start[axis];
             const float tSplit = offset * ray.invStride[axis];
-            // The near child holds the origin; on the plane itself, the child that the ray comes from.
+            // The near child contains the origin; if the origin is on the plane, it is the child that the ray
+            // comes from.
             const bool upward = ray.invStride[axis] > 0.0f;
             const bool belowIsNear = offset > 0.0f || (offset == 0.0f && upward);
             const std::uint32_t below = nodeId + 1;
@@ -59,7 +60,7 @@ struct Pending {
 
         const Leaf& leaf = scene.tree.leaves[leafOf(node)];
         testTriangles(scene.triangles, ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        // A triangle may reach past its leaf: only a hit inside it is known to be the closest.
+        // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         if (isDone(trace, query) || trace.hit.t <= tFar || stackSize == 0) {
             return trace;
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The march of one ray through the meta table, step by step.
+// Records the march of one ray through the meta table, step by step.
 #pragma once
 #include "metamarch/accel/cell_box.h"
 #include "metamarch/reference/trace.h"
@@ -9,24 +9,25 @@
 
 namespace metamarch {
 
-// Every t is counted from the origin that the ray was asked from, in lengths of its dir: ray.shift is in it.
+// Every t counts from the origin that the caller gave for the ray, so it contains ray.shift. Its unit is the
+// length of dir.
 struct MarchStep {
-    ivec3 cell; // that was looked up
+    ivec3 cell; // the cell that was looked up
     std::uint32_t leafId;
     CellBox exitBox;
-    std::uint32_t triangleCount; // of the leaf, each tested in this step
-    float tNear;                 // of the crossing: where the march stood,
-    float tFar;                  // and where it leaves the exit box
-    Hit best;                    // after the step; without a hit, t is where the ray ends
-    bool isFinal;                // best is the ray's hit: the march ends with it
+    std::uint32_t triangleCount; // number of triangles of the leaf, all tested in this step
+    float tNear;                 // at which the step begins
+    float tFar;                  // at which the ray leaves the exit box
+    Hit best;                    // after the step; without a hit, t is the end of the ray
+    bool isFinal;                // `best` is the ray's hit, and the march ends
 };
 
 struct MarchLog {
-    std::vector<MarchStep> steps; // none where the ray misses the lattice
-    TraceResult result;           // of traceMetaTable, its t counted from ray.origin
+    std::vector<MarchStep> steps; // none if the ray misses the lattice
+    TraceResult result;           // of traceMetaTable; its t counts from ray.origin
 };
 
-// Throws as traceMetaTable does.
+// Throws what traceMetaTable throws.
 MarchLog logMarch(const AccelerationStructure& scene, const Ray& ray, HitQuery query = HitQuery::closest);
 
 } // namespace metamarch

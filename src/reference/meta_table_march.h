@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loop of the march through the meta table, and whoever wants to watch it.
+// The loop of the march through the meta table, with an observer.
 #pragma once
 #include "metamarch/reference/require.h"
 #include "metamarch/reference/triangle_records.h"
@@ -15,7 +15,7 @@ struct MarchTurn {
     const TraceResult& trace; // with this turn's tests
 };
 
-// `observe` is called with each MarchTurn. One that does nothing costs nothing.
+// Calls `observe` with each MarchTurn. An observer that does nothing costs nothing.
 template <Invariants invariants, class Observer>
 [[gnu::always_inline]] inline TraceResult marchMetaTable(const AccelerationStructure& scene, const Ray& ray,
                                                          const HitQuery query, Observer&& observe) {

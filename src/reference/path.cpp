@@ -14,8 +14,8 @@ struct Render {
     const Camera& camera;
 };
 
-// The closest triangle that is there for this path, or any. kernels/path.glsl has a loop that llvmpipe can
-// run.
+// Finds the closest triangle that is opaque for this path, or any such triangle. kernels/path.glsl has
+// another loop, because of llvmpipe.
 TraceResult traceAlphaTested(const Render& render, const Ray& given, const HitQuery query,
                              const PixelSample at, const uint dimension) {
     if (!hasFeature(render.scene, kFeatureAlpha)) {
@@ -41,7 +41,7 @@ void count(PathSample& taken, const TraceResult& trace) {
     taken.tests += static_cast<float>(trace.tests);
 }
 
-// Takes one sample of the pixel. kernels/path.glsl does the same in a turn, by shared/path.h, but its loop
+// Takes one sample of the pixel. kernels/path.glsl shares the code of a turn (shared/path.h), but its loop
 // goes through all samples of a pixel, and no invocation leaves it before its neighbours.
 void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum) {
     PathSample taken = startSample(render.camera, render.settings, x, y, sum.samples);

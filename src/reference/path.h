@@ -12,8 +12,8 @@
 
 namespace metamarch {
 
-// `samples` samples of each of camera.width * camera.height pixels, in rows from the top, on all cores.
-// Cancelled rows hold emptyPixel().
+// Returns camera.width * camera.height pixels in rows from the top, with `samples` samples each. Uses all
+// cores. Rows that are cancelled hold emptyPixel().
 std::vector<FilmPixel> renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
                                         const PathSettings& settings, const Camera& camera,
                                         std::uint32_t samples, const OnProgress& onProgress = {});

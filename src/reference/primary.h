@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `primary` integrator on the CPU, over the stack traversal.
+// The integrator `primary` on the CPU, with the stack traversal.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/rows.h"
@@ -10,8 +10,8 @@
 
 namespace metamarch {
 
-// One pixel for each of camera.width * camera.height, in rows from the top, on all cores. Cancelled rows hold
-// emptyPixel().
+// Returns camera.width * camera.height pixels in rows from the top. Uses all cores. Rows that are cancelled
+// hold emptyPixel().
 std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure,
                                           std::span<const ShadingMaterial> materials,
                                           std::span<const std::uint32_t> materialOfTriangle,

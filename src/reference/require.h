@@ -10,7 +10,7 @@ namespace metamarch {
 // Chosen at compile time: tests check each step, benchmarks time the same loop without.
 enum class Invariants { checked, unchecked };
 
-// Throws std::logic_error, naming the invariant, where it is checked and does not hold.
+// Throws std::logic_error, naming the invariant, if it is checked and does not hold.
 template <Invariants invariants>
 void require([[maybe_unused]] const bool holds, [[maybe_unused]] const char* invariant) {
     if constexpr (invariants == Invariants::checked) {
@@ -20,7 +20,7 @@ void require([[maybe_unused]] const bool holds, [[maybe_unused]] const char* inv
     }
 }
 
-// One axis moved on, in the ray's direction, and no axis moved back: why a march ends.
+// Returns true if at least one axis moved in the ray's direction and none moved back; therefore a march ends.
 inline bool movedOn(const ivec3 from, const ivec3 to, const bvec3 upward) {
     int moved = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pictures row by row, on all cores.
+// Renders pictures row by row, on all cores.
 #pragma once
 #include <functional>
 
 namespace metamarch {
 
-// Receives the finished part of a picture. The part rises to 1, and no two calls run at the same time. To
-// return false cancels the rest of the picture. The function may be empty.
+// Receives the finished fraction of a picture, which rises to 1. No two calls run at the same time. If it
+// returns false, the rest of the picture is cancelled. The function may be empty.
 using OnProgress = std::function<bool(double part)>;
 
 // Calls `render` for each of [0, rowCount), from several threads, and `onProgress` after each row. Cancelling

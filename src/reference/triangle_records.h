@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Testing triangle records on the CPU: the judges' counterpart of shaders/lib/scene.glsl.
+// Tests triangle records on the CPU: the judges' counterpart of shaders/lib/scene.glsl.
 #pragma once
 #include "metamarch/reference/trace.h"
 
 namespace metamarch {
 
-// Tests the triangle of record `recordIndex` and keeps it where it is closer than what `trace` has.
+// Tests the triangle of record `recordIndex` and stores the hit in `trace` if it is closer than the hit
+// there.
 inline void testTriangle(const std::span<const TriangleRecord> triangles, const Ray& ray,
                          const std::uint32_t recordIndex, TraceResult& trace) {
     ++trace.tests;

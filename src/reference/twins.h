@@ -12,9 +12,9 @@ namespace metamarch {
 
 using TwinFunction = TraceResult(const StructureSet& structures, const Ray& ray, HitQuery query);
 
-// What <name>.cpp of a twin defines: metamarch::<name>::kLoop, one loop compiled twice.
+// One loop, compiled twice. Each twin's <name>.cpp defines metamarch::<name>::kLoop.
 struct TwinLoop {
-    TwinFunction* checked;   // throws std::logic_error where an invariant of the loop is broken
+    TwinFunction* checked;   // throws std::logic_error if an invariant of the loop does not hold
     TwinFunction* unchecked; // for benchmarks
 };
 
@@ -23,10 +23,10 @@ struct Twin {
     TwinLoop loop;
 };
 
-// In the order of src/reference/CMakeLists.txt.
+// Returns all twins in the order of src/reference/CMakeLists.txt.
 std::span<const Twin> twins();
 
-// Not those that leave the walk to the driver.
+// Returns false for traversals that leave the walk to the driver.
 bool hasTwin(std::string_view traversal);
 
 // Throws std::out_of_range for a traversal without a twin.
