@@ -18,11 +18,12 @@ SHARED_FN float crossPlane(const Ray ray, const uint axis, const uint plane) {
 
 // An inner node, seen from a ray's interval [tNear, tFar].
 struct KdFork {
-    uint nearChild; // contains the ray's start; if the start is on the plane, the child that the ray comes
-                    // from
+    // The child that contains the ray's start; if the start is on the plane, the child that the ray comes
+    // from.
+    uint nearChild;
     uint farChild;
     float tSplit;
-    bool meetsNear; // the interval meets at least one of the children
+    bool meetsNear; // the interval meets the near child, the far child, or both
     bool meetsFar;
 };
 

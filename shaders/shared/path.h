@@ -105,8 +105,8 @@ SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
     return added;
 }
 
-// Returns the weight of light that BSDF sampling found with density `own` and that light sampling finds with
-// density `other`; 0 if it cannot find it.
+// Returns the weight of light that BSDF sampling found with density `own`. `other` is the density with which
+// light sampling finds it; it is 0 if light sampling cannot find it.
 SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other) {
     const bool isOnlyWay = other == 0.0f || own >= kCertain;
     const bool byLights = (settings.strategies & kSampleLights) != 0u;
@@ -114,8 +114,8 @@ SHARED_FN float foundWeight(const PathSettings settings, const float own, const 
     return isOnlyWay || !byLights ? 1.0f : byBsdf ? powerHeuristic(own, other) : 0.0f;
 }
 
-// Returns the weight of light that light sampling found with density `own`; 0 for lights that rays cannot
-// hit.
+// Returns the weight of light that light sampling found with density `own`, which is 0 for lights that rays
+// cannot hit. `other` is the density with which BSDF sampling finds it.
 SHARED_FN float sampledWeight(const PathSettings settings, const float own, const float other) {
     const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
     return own == 0.0f || !byBsdf ? 1.0f : powerHeuristic(own, other);
