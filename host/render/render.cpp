@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/render.h"
 
+#include "metamarch/reference/eye_media.h"
 #include "metamarch/reference/path.h"
 #include "metamarch/reference/primary.h"
 #include "metamarch/render/path_renderer.h"
@@ -45,8 +46,13 @@ RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const Re
         result.isCancelled = !isOn && part < 1.0;
         return isOn;
     };
+    PathSettings path{};
+    if (!settings.isPrimary()) {
+        path = settings.path.applied(scene.shading->settings);
+        path.eyeMedia = mediaAt(*scene.structure, *scene.shading, camera.eye);
+    }
     const Stopwatch stopwatch;
-    draw(result, watch);
+    draw(result, path, watch);
     result.seconds.render = stopwatch.seconds();
     result.counts = countOf(result.film);
     if (result.counts.rejected > 0) {
@@ -67,7 +73,7 @@ void take(DeviceRender render, RenderResult& result) {
 
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const OnProgress& watch) {
+    const auto draw = [&](RenderResult& result, const PathSettings& path, const OnProgress& watch) {
         result.device = "cpu";
         result.driver = "metamarch";
         result.traversal = "kd_stack";
@@ -76,8 +82,7 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
             result.film = renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle,
                                              camera, watch);
         } else {
-            result.film = renderPathsOnCpu(*scene.structure, *scene.shading,
-                                           settings.path.applied(scene.shading->settings), camera,
+            result.film = renderPathsOnCpu(*scene.structure, *scene.shading, path, camera,
                                            settings.samplesPerPixel, watch);
         }
     };
@@ -86,7 +91,7 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
 
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const OnProgress& watch) {
+    const auto draw = [&](RenderResult& result, const PathSettings& path, const OnProgress& watch) {
         result.device = scene.device().name();
         result.driver = scene.device().report().driverInfo;
         const TableMethod table = scene.scene().structure->options.table;
@@ -97,9 +102,8 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
             take(renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, watch),
                  result);
         } else {
-            take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal,
-                                     settings.path.applied(scene.scene().shading->settings), camera,
-                                     settings.samplesPerPixel, watch),
+            take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal, path,
+                                     camera, settings.samplesPerPixel, watch),
                  result);
         }
     };

@@ -3,6 +3,7 @@
 
 #include "metamarch/error/error.h"
 #include "metamarch/file/input_file.h"
+#include "metamarch/reference/eye_media.h"
 #include "metamarch/render/stopwatch.h"
 #include "metamarch/render/view_names.h"
 #include "metamarch/shaders/shader_library.h"
@@ -367,6 +368,8 @@ class Viewer {
         request.lens = lensOf(state.camera);
         request.lens.pixelFilter = state.settings.pixelFilter;
         request.settings = state.settings.path.applied(state.scene->shown.shading->settings);
+        request.settings.eyeMedia =
+            mediaAt(*state.scene->shown.structure, *state.scene->shown.shading, request.camera.eye);
         request.view = state.settings.view;
         request.endSample = state.settings.samples;
         request.scaleMax =

@@ -46,7 +46,7 @@ SHARED_FN vec3 inFrame(const SurfaceFrame frame, const vec3 w) {
 // Returns the factor by which radiance changes on its way through the surface to wo; it differs from 1 only
 // for refraction.
 SHARED_FN float radianceScaleOf(const Bsdf bsdf, const bool isThrough) {
-    return isThrough && bsdf.isRefractive ? 1.0f / (bsdf.eta * bsdf.eta) : 1.0f;
+    return isThrough && bsdf.isRefractive ? 1.0f / (bsdf.trueEta * bsdf.trueEta) : 1.0f;
 }
 
 // The microfacets that scatter wi to wo.

@@ -49,6 +49,7 @@ struct Bsdf {
     bool isSmooth;     // the lobes of the facets are deltas
     bool isRefractive; // the surface bounds a transparent volume
     float eta;         // refractive index beyond the surface, divided by that on the side of wo
+    float trueEta;     // the same without the limit kMinVolumeIor
     float etaF0;       // reflectance at normal incidence of an interface with this eta
     float metallic;
     Reflectance metal;
@@ -202,10 +203,15 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     const float transmission = hasFeature(kFeatureTransmission) ? material.transmission : 0.0f;
     const bool isRefractive =
         hasFeature(kFeatureVolume) && isVolume && transmission > 0.0f && material.ior > 0.0f;
-    const float ior = max(material.ior, isRefractive ? kMinVolumeIor : 1.0f);
+    // Seen from a denser volume around this one, its surface is that of the denser one seen from inside.
+    const bool isInverted = isVolume && material.ior > 0.0f && material.ior < 1.0f;
+    const float trueIor = isInverted ? 1.0f / material.ior : material.ior;
+    const float ior = max(trueIor, isRefractive ? kMinVolumeIor : 1.0f);
     const float etaF0 = material.ior > 0.0f ? normalReflectance(ior) : 1.0f;
     bsdf.isRefractive = isRefractive;
-    bsdf.eta = isVolume && frame.isBack != 0u ? 1.0f / ior : ior;
+    const bool isDenser = isVolume && (frame.isBack != 0u) != isInverted; // on the side of wo
+    bsdf.eta = isDenser ? 1.0f / ior : ior;
+    bsdf.trueEta = isDenser ? 1.0f / trueIor : trueIor;
     bsdf.etaF0 = etaF0;
 
     const vec3 dielectricF0 = min(material.specularColor * etaF0, vec3(1.0f)) * material.specular;
@@ -262,8 +268,9 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
     float glassGain = 1.0f;
     float glassPart = 0.0f;
     if (hasFeature(kFeatureVolume)) {
-        const float ior = isInside ? 1.0f / bsdf.eta : bsdf.eta;
-        const float gain = 1.0f / glassAlbedo(cosOut, alphaOut, ior, isInside);
+        const bool isDenser = bsdf.eta < 1.0f; // on the side of wo
+        const float ior = isDenser ? 1.0f / bsdf.eta : bsdf.eta;
+        const float gain = 1.0f / glassAlbedo(cosOut, alphaOut, ior, isDenser);
         glassGain = isCompensated && bsdf.isRefractive ? gain : 1.0f;
         glassPart = bsdf.isRefractive ? material.transmission : 0.0f;
     }

@@ -8,6 +8,7 @@
 #define METAMARCH_SHARED_PATH_H
 #include "bsdf.h"
 #include "film.h"
+#include "media.h"
 #include "ray_cone.h"
 #include "scene_light.h"
 #include "sobol.h"
@@ -31,10 +32,10 @@ struct Path {
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
-    uint channel;    // colour channel that a dispersive volume has chosen; kNoChannel: none yet
-    vec3 absorption; // of the volume that the path is in, per world unit
+    uint channel; // colour channel that a dispersive volume has chosen; kNoChannel: none yet
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
+    Media media;  // used with kFeatureVolume
 };
 const uint kNoChannel = 3u;
 
@@ -55,15 +56,16 @@ struct PathStep {
     vec3 shadingNormal;
 };
 
-SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone) {
-    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, vec3(0.0f), true, cone);
+SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
+    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, true, cone, media);
 }
 
 // Returns the first ray of a sample as a path.
-SHARED_FN Path cameraPath(const Camera camera, const uint x, const uint y, const PixelSample at) {
+SHARED_FN Path cameraPath(const Camera camera, const PathSettings settings, const uint x, const uint y,
+                          const PixelSample at) {
     const CameraRay view =
         sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
-    return startPath(view.origin, view.dir, cameraCone(camera, view.dir));
+    return startPath(view.origin, view.dir, cameraCone(camera, view.dir), settings.eyeMedia);
 }
 
 // One sample of a pixel while its path is traced.
@@ -80,7 +82,7 @@ struct PathSample {
 SHARED_FN PathSample startSample(const Camera camera, const PathSettings settings, const uint x, const uint y,
                                  const uint index) {
     const PixelSample at = makePixelSample(x, y, index, settings.seed);
-    return PathSample(at, cameraPath(camera, x, y, at), missFirst(), 0u, 0u, 0.0f, 0.0f);
+    return PathSample(at, cameraPath(camera, settings, x, y, at), missFirst(), 0u, 0u, 0.0f, 0.0f);
 }
 
 // Returns the sample after `step` at a triangle, which its path met at distance `t`.
@@ -187,7 +189,7 @@ SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), 
 
 // Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
 // cone at the surface.
-SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf bsdf,
+SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint medium, const Bsdf bsdf,
                        const SurfacePoint point, const float width, const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
                                         sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
@@ -214,9 +216,29 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const Bsdf 
     if (hasFeature(kFeatureVolume)) {
         const bool isCrossed =
             (drawn.flags & kSampleTransmitted) != 0u && (record.flags & kSurfaceVolume) != 0u;
-        const vec3 behind = bsdf.frame.isBack != 0u ? vec3(0.0f) : record.absorption;
-        next.absorption = isCrossed ? behind : path.absorption;
+        if (isCrossed) {
+            next.media = crossSurface(path.media, medium, bsdf.frame.isBack != 0u);
+        }
     }
+    return next;
+}
+
+SHARED_FN float iorFor(const Path path, const MaterialRecord record) {
+    return hasFeature(kFeatureDispersion) && path.channel != kNoChannel
+               ? dispersedIor(record.ior, record.dispersion, path.channel)
+               : record.ior;
+}
+
+// Takes the path through a surface that is no interface, in its direction. No light sample can find what is
+// behind, because the surface occludes it. It counts as a bounce, so that every path ends.
+SHARED_FN Path passSurface(const Path path, const uint medium, const bool isBack, const SurfacePoint point,
+                           const float width) {
+    Path next = path;
+    next.origin = offsetPoint(point, path.dir);
+    next.pdf = kCertain;
+    next.bounce = path.bounce + 1u;
+    next.cone = scatteredCone(path.cone, width, kCertain);
+    next.media = crossSurface(path.media, medium, isBack);
     return next;
 }
 
@@ -235,14 +257,27 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     const vec3 wo = -arriving.dir;
 
     Path path = chooseChannel(arriving, record, at);
+    float ior = iorFor(path, record);
+    const uint medium = mediumOf(surface.material); // of a volume
+    bool isPassed = false;
     if (hasFeature(SCENE kFeatureVolume)) {
-        const vec3 depth = path.absorption * t;
-        path.throughput =
-            path.throughput * vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
+        const bool isVolume = (record.flags & kSurfaceVolume) != 0u;
+        const bool isBack = dotProduct(point.normal, wo) < 0.0f;
+        if (isVolume && isBack && !isInside(path.media, medium)) {
+            path.media = enclosedBy(path.media, medium);
+        }
+        if (path.media.first != kNoMedium) {
+            const vec3 depth = loadMaterial(SCENE materialOf(path.media.first)).absorption * t;
+            path.throughput =
+                path.throughput * vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
+        }
+        isPassed = isVolume && !isInterface(path.media, medium, isBack);
+        const uint outside = mediumOutside(path.media, isBack);
+        if (isVolume && outside != kNoMedium) {
+            const float outsideIor = iorFor(path, loadMaterial(SCENE materialOf(outside)));
+            ior = outsideIor > 0.0f ? ior / outsideIor : ior;
+        }
     }
-    const float ior = hasFeature(SCENE kFeatureDispersion) && path.channel != kNoChannel
-                          ? dispersedIor(record.ior, record.dispersion, path.channel)
-                          : record.ior;
     const SurfaceFrame frame = surfaceFrame(SCENE record, surface, weights, uv, point.normal, wo);
     const SurfaceMaterial material =
         surfaceMaterial(SCENE record, vertexColor(SCENE surface, weights), uv, ior);
@@ -258,15 +293,20 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         gain = emitted * (isShown ? bsdf.emissionScale * foundWeight(settings, path.pdf, density) : 0.0f);
     }
     const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
-    path.radiance = path.radiance + (path.bounce > 0u ? clampedGain(settings, shown) : shown);
+    const vec3 arrived = path.radiance;
+    path.radiance = arrived + (path.bounce > 0u ? clampedGain(settings, shown) : shown);
 
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
         shadow = sampleLights(SCENE settings, path, bsdf, point, at);
-        shadow.isNeeded = shadow.isNeeded && !isLast;
+        shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed;
     }
-    Path next = scatter(path, record, bsdf, point, width, at);
+    Path next = scatter(path, record, medium, bsdf, point, width, at);
+    if (hasFeature(SCENE kFeatureVolume) && isPassed) {
+        next = passSurface(path, medium, frame.isBack != 0u, point, width);
+        next.radiance = arrived;
+    }
     next.isAlive = next.isAlive && !isLast;
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);

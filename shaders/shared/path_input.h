@@ -34,7 +34,7 @@ struct PathStatus {
 };
 
 SHARED_ASSERT_SIZE(PathStatus, 20)
-SHARED_ASSERT_SIZE(PathInput, 208)
+SHARED_ASSERT_SIZE(PathInput, 224)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
 SHARED_ASSERT_SIZE(PathPush, 20)
 

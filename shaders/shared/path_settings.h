@@ -2,7 +2,7 @@
 // The settings of the path tracer, and the facts about the whole scene that it needs.
 #ifndef METAMARCH_SHARED_PATH_SETTINGS_H
 #define METAMARCH_SHARED_PATH_SETTINGS_H
-#include "interop.h"
+#include "media.h"
 
 SHARED_BEGIN
 
@@ -29,17 +29,19 @@ struct PathSettings {
     float environmentScale;
     float clampLuminance; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
     uint sunIndex;        // index of the kLightDisc among the punctual lights, which rays see; kNoSun: none
+    Media eyeMedia;       // what the camera's eye is inside of
     uint padding0;
     uint padding1;
     uint padding2;
 };
 const uint kNoSun = 0xffffffffu;
 
-SHARED_ASSERT_SIZE(PathSettings, 80)
+SHARED_ASSERT_SIZE(PathSettings, 96)
 SHARED_ASSERT_OFFSET(PathSettings, maxBounces, 12)
 SHARED_ASSERT_OFFSET(PathSettings, seed, 16)
 SHARED_ASSERT_OFFSET(PathSettings, environmentWidth, 36)
 SHARED_ASSERT_OFFSET(PathSettings, sunIndex, 64)
+SHARED_ASSERT_OFFSET(PathSettings, eyeMedia, 68)
 
 SHARED_END
 #endif

@@ -23,8 +23,10 @@ struct SurfaceMaterial {
     float sheenRoughness;
     vec3 diffuseTransmissionColor; // KHR_materials_diffuse_transmission
     float diffuseTransmission;
-    float roughness;            // perceptual roughness; alpha is its square
-    float ior;                  // KHR_materials_ior, dispersed if the path has chosen a channel; 0: infinite
+    float roughness; // perceptual roughness; alpha is its square
+    // KHR_materials_ior, dispersed if the path has chosen a channel, divided by that of the volume around; 0:
+    // infinite.
+    float ior;
     float transmission;         // KHR_materials_transmission
     float anisotropy;           // KHR_materials_anisotropy, strength along SurfaceFrame::tangent
     float coat;                 // KHR_materials_clearcoat

@@ -2,6 +2,7 @@
 #include "path/both_sides.h"
 
 #include "fixtures/vulkan_environment.h"
+#include "metamarch/reference/eye_media.h"
 #include "metamarch/reference/path.h"
 #include "metamarch/shaders/shader_library.h"
 
@@ -18,8 +19,14 @@ BothSides::BothSides(const PathScene& given, const Picture size)
       primary(makeShadingData(made.scene)),
       camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
 
+PathSettings BothSides::settings(const PathWork& work) const {
+    PathSettings settings = settingsOf(shading, work);
+    settings.eyeMedia = mediaAt(structure, shading, camera.eye);
+    return settings;
+}
+
 std::vector<FilmPixel> BothSides::onCpu(const PathWork& work) const {
-    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
+    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples);
 }
 
 render::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
@@ -30,8 +37,8 @@ render::DeviceRender BothSides::onDevice(const std::string& traversal, const Pat
             ? render::SceneBuffers(device, structure, primary)
             : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
     const render::ShadingBuffers shadingBuffers(device, shading);
-    return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settingsOf(shading, work),
-                                       camera, work.samples);
+    return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settings(work), camera,
+                                       work.samples);
 }
 
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {

@@ -28,6 +28,8 @@ class BothSides {
                                   Where where = Where::fasterMemory) const;
 
   private:
+    PathSettings settings(const PathWork& work) const;
+
     PathScene made;
     AccelerationStructure structure;
     ShadingScene shading;

@@ -198,6 +198,26 @@ PathScene whiteRoom() {
     return made;
 }
 
+// A volume around all that the camera is in as well; in it one ball within another, rough and dispersive, and
+// one that overlaps both.
+PathScene nestedVolumes() {
+    return ballScene([](PathScene& made, Material& ball) {
+        smoothVolume(ball);
+        ball.ior = 1.33f;
+        addNeighbour(made, {0.1f, 1.1f, 0.2f}, volume);
+        addNeighbour(made, {0.6f, 1.2f, 0.5f}, dispersion);
+        addNeighbour(made, {1.2f, 0.6f, 0.9f}, [](Material& m) {
+            smoothVolume(m);
+            m.ior = 1.0f;
+        });
+        Material water = glass(1.2f, 0.0f);
+        water.attenuationColor = {0.5f, 0.8f, 0.9f};
+        water.attenuationDistance = 10.0f;
+        addBox(made.scene, {-5, -1, -4}, {5, 6, 6}, addMaterial(made.scene, water));
+        punctual(made);
+    });
+}
+
 } // namespace
 
 PathScene blended() { return withAlpha(AlphaMode::blend); }
@@ -244,6 +264,7 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
         {"thin_glass", [] { return ofMaterial(thinGlass); }},
         {"volume", [] { return ofMaterial(volume); }},
         {"smooth_volume", [] { return ofMaterial(smoothVolume); }},
+        {"nested_volumes", nestedVolumes},
         {"iridescence", [] { return ofMaterial(iridescence); }},
         {"diffuse_transmission", [] { return ofMaterial(diffuseTransmission); }},
         {"anisotropy", [] { return ofMaterial(anisotropy); }},

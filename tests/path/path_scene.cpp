@@ -3,6 +3,7 @@
 
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/eye_media.h"
 #include "metamarch/reference/path.h"
 
 #include <cmath>
@@ -49,7 +50,9 @@ std::vector<FilmPixel> render(const PathScene& made, const PathWork& work) {
     const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
     const ShadingScene shading = shadingOf(made);
     const Camera camera = makeCamera(made.view, work.side, work.side, made.camera);
-    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples);
+    PathSettings settings = settingsOf(shading, work);
+    settings.eyeMedia = mediaAt(structure, shading, camera.eye);
+    return renderPathsOnCpu(structure, shading, settings, camera, work.samples);
 }
 
 glm::dvec3 meanOf(const FilmPixel& pixel) {
