@@ -4,16 +4,24 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace metamarch {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\v\f";
+constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+    while (!text.empty() && isBlank(text.front())) {
+        text.remove_prefix(1);
+    }
+    while (!text.empty() && isBlank(text.back())) {
+        text.remove_suffix(1);
+    }
+    return text;
 }
 
 // from_chars does not take a plus sign, which text files have.
@@ -21,15 +29,37 @@ std::string_view withoutPlus(std::string_view word) {
     return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
+// Older C libraries of Microsoft print "1.#QNAN", "-1.#IND" and "1.#INF".
+std::optional<double> parseMicrosoft(std::string_view word) {
+    const bool isNegative = word.starts_with('-');
+    word.remove_prefix(isNegative ? 1 : 0);
+    if (word.starts_with("1.#INF")) {
+        return isNegative ? -std::numeric_limits<double>::infinity()
+                          : std::numeric_limits<double>::infinity();
+    }
+    if (word.starts_with("1.#QNAN") || word.starts_with("1.#SNAN") || word.starts_with("1.#IND")) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<double> parseNumber(std::string_view word) {
     word = withoutPlus(word);
+    // Most words of a mesh are small indices.
+    if (!word.empty() && word.size() < 10 && std::ranges::all_of(word, isDigit)) {
+        std::uint32_t number = 0;
+        for (const char digit : word) {
+            number = 10 * number + static_cast<std::uint32_t>(digit - '0');
+        }
+        return number;
+    }
     const char* end = word.data() + word.size();
     double number = 0.0;
     const auto [stop, failure] = std::from_chars(word.data(), end, number);
     if (stop != end || failure == std::errc::invalid_argument) {
-        return std::nullopt;
+        return parseMicrosoft(word);
     }
     if (failure == std::errc::result_out_of_range) {
         // from_chars does not say which. A number that is out of range as large has a positive exponent or
@@ -54,6 +84,11 @@ std::optional<std::int64_t> parseInteger(std::string_view word) {
     return number;
 }
 
+std::string inQuotes(std::string_view word) {
+    constexpr std::size_t kMost = 40;
+    return '\'' + std::string(word.substr(0, kMost)) + (word.size() > kMost ? "...'" : "'");
+}
+
 TextScanner::TextScanner(std::string_view text) : rest_(text) {
     if (constexpr std::string_view kMark = "\xef\xbb\xbf"; rest_.starts_with(kMark)) {
         rest_.remove_prefix(kMark.size());
@@ -65,7 +100,16 @@ bool TextScanner::nextLine() {
         line_ = {};
         return false;
     }
-    line_ = rest_.substr(0, rest_.find_first_of("\r\n"));
+    const char* begin = rest_.data();
+    const char* end = begin + rest_.size();
+    // A text whose lines end at \r alone is not searched for \n again at each line.
+    if (newline_ == nullptr || newline_ < begin) {
+        const void* found = std::memchr(begin, '\n', rest_.size());
+        newline_ = found == nullptr ? end : static_cast<const char*>(found);
+    }
+    const void* found = std::memchr(begin, '\r', static_cast<std::size_t>(newline_ - begin));
+    const char* stop = found == nullptr ? newline_ : static_cast<const char*>(found);
+    line_ = std::string_view(begin, static_cast<std::size_t>(stop - begin));
     rest_.remove_prefix(line_.size());
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
     ++lineNumber_;
@@ -73,10 +117,17 @@ bool TextScanner::nextLine() {
 }
 
 std::string_view TextScanner::nextWord() {
-    line_.remove_prefix(std::min(line_.find_first_not_of(kBlanks), line_.size()));
-    const std::string_view word = line_.substr(0, line_.find_first_of(kBlanks));
-    line_.remove_prefix(word.size());
-    return word;
+    const char* begin = line_.data();
+    const char* const end = begin + line_.size();
+    while (begin != end && isBlank(*begin)) {
+        ++begin;
+    }
+    const char* stop = begin;
+    while (stop != end && !isBlank(*stop)) {
+        ++stop;
+    }
+    line_ = std::string_view(stop, static_cast<std::size_t>(end - stop));
+    return {begin, static_cast<std::size_t>(stop - begin)};
 }
 
 std::string_view TextScanner::restOfLine() {

@@ -3,15 +3,19 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace metamarch {
 
 // Returns the number that is the whole word, or nothing. Forms such as "+1", ".5", "1." and "1e3" are
-// numbers, and so are "inf" and "nan" in any case. A number too large for a double is infinite, one too small
-// is zero.
+// numbers, and so are "inf" and "nan" in any case, and "1.#INF". A number too large for a double is infinite,
+// one too small is zero.
 std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
+
+// Returns 'word' for a message, without what is behind its first 40 characters.
+std::string inQuotes(std::string_view word);
 
 // A line ends at \n, \r\n or \r, or where the text ends. Blanks are spaces, tabs, \v and \f. A byte order
 // mark before the first line is skipped.
@@ -33,9 +37,13 @@ class TextScanner {
 
     std::uint64_t lineNumber() const { return lineNumber_; } // 1 is the first line
 
+    // What follows the line and its end.
+    std::string_view rest() const { return rest_; }
+
   private:
     std::string_view rest_;
     std::string_view line_;
+    const char* newline_ = nullptr; // the next \n, or where the text ends, as soon as it has been looked for
     std::uint64_t lineNumber_ = 0;
 };
 
