@@ -74,6 +74,7 @@ void InstanceWriter::finish() {
             file_.warn(label_ + ": " + std::to_string(count) + ' ' + what);
         }
     };
+    report(brokenPositions_, "positions of vertices that no triangle uses are not finite; zero is used");
     report(brokenNormals_, "normals are zero or not finite; the triangles' own are used there");
     report(brokenTexCoords_, "texture coordinates are not finite; zero is used");
     report(brokenColors_, "colors are negative or not finite; white is used");
@@ -92,13 +93,27 @@ void InstanceWriter::checkRoom(const std::string& label, const MeshGeometry& par
 }
 
 void InstanceWriter::writePositions(const std::string& label, const MeshGeometry& part) {
+    std::vector<std::size_t> broken;
     for (std::size_t i = 0; i < part.positions.size(); ++i) {
         const glm::vec3 position(toWorld_ * glm::dvec4(part.positions[i], 1.0));
         if (!isFinite(position)) {
-            file_.refuse(label + ": position of vertex " + std::to_string(i) + " is not finite");
+            broken.push_back(i);
         }
-        scene_.positions.push_back(position);
+        scene_.positions.push_back(isFinite(position) ? position : glm::vec3(0.0f));
     }
+    if (broken.empty()) {
+        return;
+    }
+    std::vector<bool> isUsed(part.positions.size(), false);
+    for (const glm::uvec3& triangle : part.triangles) {
+        isUsed[triangle.x] = isUsed[triangle.y] = isUsed[triangle.z] = true;
+    }
+    for (const std::size_t vertex : broken) {
+        if (isUsed[vertex]) {
+            file_.refuse(label + ": position of vertex " + std::to_string(vertex) + " is not finite");
+        }
+    }
+    brokenPositions_ += broken.size();
 }
 
 glm::vec3 InstanceWriter::worldNormal(const glm::vec3& normal) {

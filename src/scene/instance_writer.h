@@ -26,8 +26,9 @@ class InstanceWriter {
 
     // Appends a part (in glTF, a primitive) whose indices have been checked; `label` starts its error
     // messages. Throws Error(outOfMemory) if the scene would exceed kMaxVertices or kMaxTriangles, and
-    // Error(inputRefused) if a world-space position is not finite. Broken normals, texture coordinates,
-    // colours and tangents are replaced; finish() warns of them once for the mesh.
+    // Error(inputRefused) if a world-space position of a triangle is not finite. Other positions, and broken
+    // normals, texture coordinates, colours and tangents are replaced; finish() warns of them once for the
+    // mesh.
     void write(const std::string& label, const MeshGeometry& part, std::uint32_t material);
 
     void finish();
@@ -47,6 +48,7 @@ class InstanceWriter {
     glm::dmat3 normalToWorld_;
     bool mirrored_;
     std::uint32_t mesh_;
+    std::uint64_t brokenPositions_ = 0;
     std::uint64_t brokenNormals_ = 0;
     std::uint64_t brokenTexCoords_ = 0;
     std::uint64_t brokenColors_ = 0;

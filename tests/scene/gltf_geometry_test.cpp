@@ -34,6 +34,22 @@ TEST(GltfGeometry, TrianglesWithoutIndices) {
     EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(GltfGeometry, VerticesThatNoTriangleUsesMayBeBroken) {
+    GltfFile file;
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    file.setPositions({0, 0, 0, kNan, 0, 0, 1, 0, 0, 0, 1, 0, 0, kNan, 0});
+    file.primitive()["indices"] = file.addIndices({0, 2, 3});
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles, Triangles({{0, 2, 3}}));
+    EXPECT_EQ(scene.positions[1], glm::vec3(0));
+    EXPECT_EQ(scene.positions[4], glm::vec3(0));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].ends_with(
+        "mesh 'body': 2 positions of vertices that no triangle uses are not finite; zero is used"));
+    file.primitive()["indices"] = file.addIndices({0, 2, 4});
+    EXPECT_EQ(file.refusal(), "mesh 'body' primitive 0: position of vertex 4 is not finite");
+}
+
 TEST(GltfGeometry, StripTurnsEveryOtherTriangle) {
     GltfFile file;
     file.setPositions(kFivePoints);
