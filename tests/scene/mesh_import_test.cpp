@@ -16,8 +16,7 @@ const std::string kPlyHeader =
     "property float z\nelement face 3\nproperty list uchar int vertex_indices\nend_header\n";
 const std::string kPly = kPlyHeader + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 0 1\n3 0 1 2\n";
 const std::string kOff = "OFF\n# a comment\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 0 1\n";
-// The triangles of the files' faces. Assimp permutes the corners of the degenerate one, 0 0 1.
-const Triangles kTriangles = {{0, 1, 2}, {0, 2, 3}, {1, 0, 0}, {0, 1, 2}};
+const Triangles kTriangles = {{0, 1, 2}, {0, 2, 3}, {0, 0, 1}, {0, 1, 2}};
 
 const std::string kObj = "mtllib a.mtl\no first\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n"
                          "o second\nusemtl lamp\nf 1 1 2\nf 1 2 3\n";
@@ -146,14 +145,7 @@ TEST_F(MeshImport, BinaryPlyCutOff) {
     EXPECT_EQ(refusal("a.ply", ply.substr(0, ply.size() - 1)), "PLY face 0: the file ends here");
     EXPECT_EQ(refusal("a.ply", ply.substr(0, ply.size() - 20)), "PLY vertex 3: the file ends here");
     ply[ply.size() - 13] = '\0';
-    EXPECT_EQ(refusal("a.ply", ply), "mesh 0: face 0 has no corners");
-}
-
-// Found by flipping bytes: there are enough words, but on the wrong lines.
-TEST_F(MeshImport, PlyElementsOnWrongLines) {
-    std::string ply = kPly;
-    EXPECT_EQ(refusal("a.ply", ply.replace(ply.find("1 1 0\n"), 6, "1 1\n0 ")),
-              "PLY vertex 2: the line ends here");
+    EXPECT_EQ(refusal("a.ply", ply), "there is no triangle in it");
 }
 
 TEST_F(MeshImport, ProseIsNoMesh) {
@@ -161,7 +153,7 @@ TEST_F(MeshImport, ProseIsNoMesh) {
     EXPECT_EQ(refusal("a.obj", prose), "there is no triangle in it");
     EXPECT_EQ(refusal("a.ply", prose), "not PLY: does not start with 'ply'");
     EXPECT_EQ(refusal("a.off", prose), "not OFF: does not start with 'OFF'");
-    EXPECT_TRUE(refusal("a.stl", prose).starts_with("not stl: "));
+    EXPECT_EQ(refusal("a.stl", prose), "not STL: neither binary nor a text that starts with 'solid'");
     for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
         EXPECT_EQ(refusal(name, ""), "the file is empty");
     }

@@ -3,227 +3,260 @@
 
 #include "metamarch/scene/choice.h"
 #include "metamarch/scene/instance_writer.h"
-#include "metamarch/scene/mesh/mesh_check.h"
-#include "metamarch/scene/mesh/mtl_material.h"
+#include "metamarch/scene/mesh/assimp_obj.h"
+#include "metamarch/scene/mesh/mesh_reader.h"
 #include "metamarch/scene/mesh/vertex_join.h"
 
-#include <assimp/BaseImporter.h>
-#include <assimp/DefaultIOSystem.h>
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <set>
+#include <map>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 namespace metamarch {
 namespace {
 
-// An OBJ names its material library. This class lets Assimp read it only from the scene's folder.
-class FolderIo : public Assimp::DefaultIOSystem {
-  public:
-    explicit FolderIo(InputFile& file) : file_(file) {}
-
-    bool Exists(const char* name) const override {
-        return file_.isBeside(name) && Assimp::DefaultIOSystem::Exists(name);
-    }
-
-    Assimp::IOStream* Open(const char* name, const char* mode) override {
-        if (!file_.isBeside(name)) {
-            file_.warn(std::string("'") + name + "' leaves the scene's folder and is not read");
-            return nullptr;
-        }
-        Assimp::IOStream* stream = Assimp::DefaultIOSystem::Open(name, mode);
-        if (stream == nullptr) {
-            file_.warn(std::string("'") + name + "' cannot be opened");
-        }
-        return stream;
-    }
-
-  private:
-    InputFile& file_;
+// Triangles of one part that have the same material and agree in whether they have normals.
+struct Group {
+    std::uint32_t material = kNoMaterial;
+    bool hasNormals = false;
+    std::vector<glm::uvec3> triangles; // indices of corners
 };
 
-// If the importer for the file's ending fails, Assimp tries all others. Only that one importer may see an
-// untrusted file.
-void keepOnlyImporter(Assimp::Importer& importer, const std::string& ending) {
-    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        Assimp::BaseImporter* candidate = importer.GetImporter(i);
-        std::set<std::string> endings;
-        candidate->GetExtensionList(endings);
-        if (endings.contains(ending.substr(1))) {
-            continue;
-        }
-        importer.UnregisterLoader(candidate); // this makes us the owner
-        delete candidate;
+struct Part {
+    std::vector<Group> groups;                                     // in the order of their first faces
+    std::map<std::pair<std::uint32_t, bool>, std::size_t> groupOf; // material and hasNormals
+    std::uint64_t thinFaces = 0;                                   // faces with fewer than three corners
+};
+
+template <class T>
+std::vector<T> gathered(const std::vector<T>& values, const std::vector<std::uint32_t>& indices,
+                        const T& missing) {
+    std::vector<T> result;
+    result.reserve(indices.size());
+    for (const std::uint32_t index : indices) {
+        result.push_back(index == kNoIndex ? missing : values[index]);
     }
+    return result;
 }
 
 class MeshImporter {
   public:
-    MeshImporter(const aiScene& source, InputFile& file, const std::string& ending,
-                 const ImportOptions& options)
-        : source_(source), file_(file), ending_(ending), options_(options), textures_(file),
+    MeshImporter(MeshFile source, InputFile& file, const ImportOptions& options)
+        : source_(std::move(source)), mesh_(source_.polygons), file_(file), options_(options),
           toWorld_(glm::scale(glm::dmat4(1.0), glm::dvec3(static_cast<double>(options.scale)))) {}
 
     Scene import() {
-        addMaterials();
-        for (std::uint32_t i = 0; i < source_.mNumMeshes; ++i) {
-            addMesh(*source_.mMeshes[i], i);
+        scene_.materials = std::move(source_.materials);
+        scene_.textures = std::move(source_.textures);
+        divideFaces();
+        if (hasOneIndexPerVertex()) {
+            addWhole();
+        } else {
+            findEqualAttributes();
+            for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+                addPart(part);
+            }
         }
         if (scene_.triangles.empty()) {
             file_.refuse("there is no triangle in it");
         }
-        loadTextures(scene_, file_, textures_.sources(), options_.allowMissingTextures);
+        loadTextures(scene_, file_, source_.textureSources, options_.allowMissingTextures);
         return std::move(scene_);
     }
 
   private:
-    // Only OBJ has materials. For other formats, and for an OBJ without materials, Assimp makes one up.
-    void addMaterials() {
-        materials_.assign(source_.mNumMaterials, kNoMaterial);
-        for (std::uint32_t i = 0; i < source_.mNumMaterials; ++i) {
-            const aiMaterial& material = *source_.mMaterials[i];
-            if (ending_ != ".obj" || material.GetName() == aiString(AI_DEFAULT_MATERIAL_NAME)) {
-                continue;
+    // Divides every face into triangles and puts these into their groups.
+    void divideFaces() {
+        parts_.resize(std::max<std::size_t>(mesh_.partNames.size(), 1));
+        std::vector<glm::vec3> corners;
+        std::uint32_t begin = 0;
+        for (std::size_t face = 0; face < mesh_.faceEnd.size(); ++face) {
+            const std::uint32_t end = mesh_.faceEnd[face];
+            Part& part = parts_[mesh_.facePart.empty() ? 0 : mesh_.facePart[face]];
+            if (end - begin < 3) {
+                ++part.thinFaces;
+            } else if (end - begin == 3) {
+                groupOf(part, face, begin).triangles.emplace_back(begin, begin + 1, begin + 2);
+            } else {
+                corners.clear();
+                for (std::uint32_t corner = begin; corner < end; ++corner) {
+                    corners.push_back(mesh_.positions[mesh_.cornerPosition[corner]]);
+                }
+                Group& group = groupOf(part, face, begin);
+                for (const glm::uvec3& triangle : triangulate(corners)) {
+                    group.triangles.push_back(begin + triangle);
+                }
             }
-            materials_[i] = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.push_back(textures_.read(material));
+            begin = end;
         }
-        scene_.textures = textures_.textures();
     }
 
-    void addMesh(const aiMesh& mesh, std::uint32_t index) {
-        const std::string label = elementName("mesh", mesh.mName.C_Str(), index);
-        const bool isStl = ending_ == ".stl";
-        const JoinedVertices vertices =
-            isStl || ending_ == ".obj" ? joinVertices(mesh, !isStl) : keepVertices(mesh);
-        const std::span<const aiFace> faces(mesh.mFaces, mesh.mNumFaces);
-        const auto triangles = static_cast<std::uint64_t>(
-            std::ranges::count(faces, 3u, [](const aiFace& face) { return face.mNumIndices; }));
-        if (triangles < faces.size()) {
-            file_.warn(label + ": " + std::to_string(faces.size() - triangles) +
-                       " points, lines or polygons that cannot be triangulated are not rendered");
+    static std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> corners) {
+        std::vector<glm::uvec3> triangles;
+        for (std::uint32_t i = 2; i < corners.size(); ++i) {
+            triangles.emplace_back(0, i - 1, i);
         }
-        if (triangles == 0) {
-            return;
-        }
+        return triangles;
+    }
 
-        MeshGeometry geometry = readVertices(mesh, vertices.kept);
-        geometry.triangles.reserve(triangles);
-        for (const aiFace& face : faces) {
-            if (face.mNumIndices == 3) {
-                geometry.triangles.emplace_back(joinedIndex(vertices, face, 0),
-                                                joinedIndex(vertices, face, 1),
-                                                joinedIndex(vertices, face, 2));
-            }
+    Group& groupOf(Part& part, std::size_t face, std::uint32_t firstCorner) const {
+        const std::uint32_t material = mesh_.faceMaterial.empty() ? kNoMaterial : mesh_.faceMaterial[face];
+        const bool hasNormals = !mesh_.normals.empty() &&
+                                (mesh_.cornerNormal.empty() || mesh_.cornerNormal[firstCorner] != kNoIndex);
+        // Most faces belong to the group of the face before them.
+        if (!part.groups.empty() && part.groups.back().material == material &&
+            part.groups.back().hasNormals == hasNormals) {
+            return part.groups.back();
         }
-        checkIndices(file_, label, geometry);
-        const std::uint32_t material =
-            mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : kNoMaterial;
-        if (material != kNoMaterial && needsTangents(scene_.materials[material]) &&
-            mesh.HasTextureCoords(0)) {
-            addTangents(geometry, 0);
+        const auto [found, isNew] = part.groupOf.try_emplace({material, hasNormals}, part.groups.size());
+        if (isNew) {
+            part.groups.push_back({material, hasNormals, {}});
         }
-        InstanceWriter writer(scene_, file_, mesh.mName.C_Str(), label, toWorld_);
-        writer.write(label, geometry, material);
+        return part.groups[found->second];
+    }
+
+    // Whether the vertices of the scene can be those of the file.
+    bool hasOneIndexPerVertex() const {
+        return parts_.size() == 1 && parts_[0].groups.size() == 1 && mesh_.cornerNormal.empty() &&
+               mesh_.cornerTexCoord.empty() && mesh_.cornerColor.empty() && !source_.repeatsPositions;
+    }
+
+    void addWhole() {
+        MeshGeometry geometry;
+        geometry.triangles = std::move(parts_[0].groups[0].triangles);
+        for (glm::uvec3& triangle : geometry.triangles) {
+            triangle = {mesh_.cornerPosition[triangle.x], mesh_.cornerPosition[triangle.y],
+                        mesh_.cornerPosition[triangle.z]};
+        }
+        geometry.positions = std::move(mesh_.positions);
+        geometry.normals = std::move(mesh_.normals);
+        geometry.texCoords[0] = std::move(mesh_.texCoords);
+        geometry.colors = std::move(mesh_.colors);
+        const std::string label = labelOf(0);
+        warnOfThinFaces(label, parts_[0]);
+        InstanceWriter writer(scene_, file_, nameOf(0), label, toWorld_);
+        write(writer, label, std::move(geometry), parts_[0].groups[0].material);
         writer.finish();
     }
 
-    // STL has one normal per facet. It equals the triangle's normal and would prevent vertices from being
-    // joined.
-    MeshGeometry readVertices(const aiMesh& mesh, const std::vector<std::uint32_t>& kept) const {
-        const bool hasNormals = mesh.HasNormals() && ending_ != ".stl";
-        const bool hasTexCoords = mesh.HasTextureCoords(0);
+    // Makes one index of equal values, so that corners with equal attributes can share a vertex.
+    void findEqualAttributes() {
+        if (source_.repeatsPositions) {
+            firstPosition_ = firstEqual(mesh_.positions);
+        }
+        firstNormal_ = firstEqual(mesh_.normals);
+        firstTexCoord_ = firstEqual(mesh_.texCoords);
+        firstColor_ = firstEqual(mesh_.colors);
+    }
+
+    CornerIndices attributesOf(std::uint32_t corner) const {
+        const auto attribute = [&](const std::vector<std::uint32_t>& indices,
+                                   const std::vector<std::uint32_t>& first) {
+            const std::uint32_t index = indices.empty() ? mesh_.cornerPosition[corner] : indices[corner];
+            return first.empty() || index == kNoIndex ? kNoIndex : first[index];
+        };
+        const std::uint32_t position = mesh_.cornerPosition[corner];
+        return {firstPosition_.empty() ? position : firstPosition_[position],
+                attribute(mesh_.cornerNormal, firstNormal_), attribute(mesh_.cornerTexCoord, firstTexCoord_),
+                attribute(mesh_.cornerColor, firstColor_)};
+    }
+
+    void addPart(std::uint32_t index) {
+        const std::string label = labelOf(index);
+        warnOfThinFaces(label, parts_[index]);
+        if (parts_[index].groups.empty()) {
+            return;
+        }
+        InstanceWriter writer(scene_, file_, nameOf(index), label, toWorld_);
+        for (Group& group : parts_[index].groups) {
+            write(writer, label, geometryOf(group), group.material);
+        }
+        writer.finish();
+    }
+
+    MeshGeometry geometryOf(Group& group) const {
+        std::vector<CornerIndices> corners;
+        corners.reserve(3 * group.triangles.size());
+        for (const glm::uvec3& triangle : group.triangles) {
+            for (int i = 0; i < 3; ++i) {
+                corners.push_back(attributesOf(triangle[i]));
+            }
+        }
+        const JoinedCorners joined = joinCorners(corners);
         MeshGeometry geometry;
-        for (const std::uint32_t vertex : kept) {
-            const aiVector3D& position = mesh.mVertices[vertex];
-            geometry.positions.emplace_back(position.x, position.y, position.z);
-            if (hasNormals) {
-                geometry.normals.emplace_back(mesh.mNormals[vertex].x, mesh.mNormals[vertex].y,
-                                              mesh.mNormals[vertex].z);
+        geometry.triangles = std::move(group.triangles);
+        for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+            geometry.triangles[i] = {joined.vertex[3 * i], joined.vertex[3 * i + 1],
+                                     joined.vertex[3 * i + 2]};
+        }
+        const auto attribute = [&](int which) {
+            std::vector<std::uint32_t> indices;
+            indices.reserve(joined.kept.size());
+            for (const std::uint32_t corner : joined.kept) {
+                indices.push_back(corners[corner][which]);
             }
-            if (hasTexCoords) {
-                geometry.texCoords[0].emplace_back(mesh.mTextureCoords[0][vertex].x,
-                                                   // OBJ's v points up.
-                                                   1.0f - mesh.mTextureCoords[0][vertex].y);
-            }
+            return indices;
+        };
+        geometry.positions = gathered(mesh_.positions, attribute(0), glm::vec3(0.0f));
+        if (group.hasNormals) {
+            geometry.normals = gathered(mesh_.normals, attribute(1), glm::vec3(0.0f));
+        }
+        if (!mesh_.texCoords.empty()) {
+            geometry.texCoords[0] = gathered(mesh_.texCoords, attribute(2), glm::vec2(0.0f));
+        }
+        if (!mesh_.colors.empty()) {
+            geometry.colors = gathered(mesh_.colors, attribute(3), glm::vec4(1.0f));
         }
         return geometry;
     }
 
-    // Leaves an index that is out of range as it is, so that checkIndices reports it.
-    static std::uint32_t joinedIndex(const JoinedVertices& vertices, const aiFace& face, int corner) {
-        const std::uint32_t index = face.mIndices[corner];
-        return index < vertices.group.size() ? vertices.group[index] : index;
+    void write(InstanceWriter& writer, const std::string& label, MeshGeometry geometry,
+               std::uint32_t material) {
+        if (material != kNoMaterial && needsTangents(scene_.materials[material]) &&
+            !geometry.texCoords[0].empty()) {
+            addTangents(geometry, 0);
+        }
+        writer.write(label, geometry, material);
     }
 
-    const aiScene& source_;
+    void warnOfThinFaces(const std::string& label, const Part& part) {
+        if (part.thinFaces > 0) {
+            file_.warn(label + ": " + std::to_string(part.thinFaces) +
+                       " faces with fewer than three corners are not rendered");
+        }
+    }
+
+    std::string nameOf(std::uint32_t part) const {
+        return mesh_.partNames.empty() ? std::string() : mesh_.partNames[part];
+    }
+    std::string labelOf(std::uint32_t part) const { return elementName("mesh", nameOf(part), part); }
+
+    MeshFile source_;
+    PolygonMesh& mesh_; // of source_
     InputFile& file_;
-    const std::string& ending_;
     const ImportOptions& options_;
-    MtlTextures textures_;
     glm::dmat4 toWorld_;
-    std::vector<std::uint32_t> materials_; // indexed by Assimp's material index
+    std::vector<Part> parts_;
+    // Indexed by value: the first value that equals it. Empty: there are no values, or all may stay apart.
+    std::vector<std::uint32_t> firstPosition_;
+    std::vector<std::uint32_t> firstNormal_;
+    std::vector<std::uint32_t> firstTexCoord_;
+    std::vector<std::uint32_t> firstColor_;
     Scene scene_;
 };
 
-// OBJ has no counts and no end marker to check.
-std::optional<MeshCounts> checkMesh(const InputFile& file, const std::string& ending) {
+MeshFile readMesh(InputFile& file, const std::string& ending) {
+    if (ending == ".obj") {
+        return readObjWithAssimp(file);
+    }
     const std::vector<unsigned char> bytes = file.read();
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (ending == ".ply") {
-        return checkPly(file, text);
+        return readPly(file, content);
     }
-    if (ending == ".off") {
-        return checkOff(file, text);
-    }
-    if (ending == ".stl") {
-        checkStl(file, text);
-    }
-    return std::nullopt;
-}
-
-// A last safeguard in case our checker and Assimp read a file differently.
-void compareCounts(const InputFile& file, const aiScene& source, const MeshCounts& checked) {
-    MeshCounts found;
-    for (std::uint32_t i = 0; i < source.mNumMeshes; ++i) {
-        found.vertices += source.mMeshes[i]->mNumVertices;
-        found.faces += source.mMeshes[i]->mNumFaces;
-    }
-    if (found.vertices != checked.vertices || (checked.faces != 0 && found.faces != checked.faces)) {
-        file.refuse("of " + std::to_string(checked.vertices) + " vertices and " +
-                    std::to_string(checked.faces) + " faces only " + std::to_string(found.vertices) +
-                    " and " + std::to_string(found.faces) + " can be used");
-    }
-}
-
-// Assimp's triangulation does not check indices, and aborts if a polygon without corners leaves it nothing to
-// do.
-void checkFaces(const InputFile& file, const aiScene& source) {
-    for (std::uint32_t i = 0; i < source.mNumMeshes; ++i) {
-        const aiMesh& mesh = *source.mMeshes[i];
-        for (std::uint32_t j = 0; j < mesh.mNumFaces; ++j) {
-            const std::span<const unsigned int> indices(mesh.mFaces[j].mIndices, mesh.mFaces[j].mNumIndices);
-            const auto face = [&] {
-                return elementName("mesh", mesh.mName.C_Str(), i) + ": face " + std::to_string(j);
-            };
-            if (indices.empty()) {
-                file.refuse(face() + " has no corners");
-            }
-            for (const unsigned int index : indices) {
-                if (index >= mesh.mNumVertices) {
-                    file.refuse(face() + ": index " + std::to_string(index) + " is out of range, there are " +
-                                std::to_string(mesh.mNumVertices) + " vertices");
-                }
-            }
-        }
-    }
+    return ending == ".off" ? readOff(file, content) : readStl(file, content);
 }
 
 } // namespace
@@ -239,22 +272,7 @@ Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions
     if (options.time) {
         file.warn("there is no animation, it looks the same at any time");
     }
-    const std::optional<MeshCounts> checked = checkMesh(file, ending);
-    Assimp::Importer importer;
-    importer.SetIOHandler(new FolderIo(file)); // the importer deletes it
-    keepOnlyImporter(importer, ending);
-    const aiScene* source = importer.ReadFile(file.path().string(), 0);
-    if (source != nullptr && checked) {
-        compareCounts(file, *source, *checked); // compare before polygons become triangles
-    }
-    if (source != nullptr) {
-        checkFaces(file, *source);
-        source = importer.ApplyPostProcessing(aiProcess_Triangulate);
-    }
-    if (source == nullptr) {
-        file.refuse(std::string("not ") + ending.substr(1) + ": " + importer.GetErrorString());
-    }
-    return MeshImporter(*source, file, ending, options).import();
+    return MeshImporter(readMesh(file, ending), file, options).import();
 }
 
 } // namespace metamarch

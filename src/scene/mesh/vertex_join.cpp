@@ -1,67 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/vertex_join.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
-#include <unordered_map>
 
 namespace metamarch {
 namespace {
 
-// Bits rather than floats: a NaN then equals itself and is reported later.
-using Key = std::array<std::uint32_t, 8>;
+constexpr std::uint32_t kFree = 0xffffffffu;
 
-struct KeyHash {
-    std::size_t operator()(const Key& key) const {
-        std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, one word at a time
-        for (const std::uint32_t word : key) {
-            hash = (hash ^ word) * 0x100000001b3u;
-        }
-        return static_cast<std::size_t>(hash ^ (hash >> 32));
+template <glm::length_t n>
+std::array<std::uint32_t, n> keyOf(const glm::vec<n, float>& value) {
+    // Bits rather than floats: a NaN then equals itself and is reported later.
+    std::array<std::uint32_t, n> key;
+    for (glm::length_t i = 0; i < n; ++i) {
+        key[static_cast<std::size_t>(i)] = std::bit_cast<std::uint32_t>(value[i] + 0.0f);
     }
-};
-
-Key keyOf(const aiMesh& mesh, std::uint32_t vertex, bool whole) {
-    std::array<float, 8> numbers{};
-    const aiVector3D position = mesh.mVertices[vertex];
-    std::copy_n(&position.x, 3, numbers.begin());
-    if (whole && mesh.HasNormals()) {
-        std::copy_n(&mesh.mNormals[vertex].x, 3, numbers.begin() + 3);
-    }
-    if (whole && mesh.HasTextureCoords(0)) {
-        std::copy_n(&mesh.mTextureCoords[0][vertex].x, 2, numbers.begin() + 6);
-    }
-    Key key;
-    std::transform(numbers.begin(), numbers.end(), key.begin(),
-                   [](float number) { return std::bit_cast<std::uint32_t>(number + 0.0f); });
     return key;
+}
+
+std::array<std::uint32_t, 4> keyOf(const glm::uvec4& corner) {
+    return {corner.x, corner.y, corner.z, corner.w};
+}
+
+// FNV-1a, one word at a time, and the last step of MurmurHash3, which mixes the high bits into the low ones.
+template <std::size_t n>
+std::size_t hashOf(const std::array<std::uint32_t, n>& key) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const std::uint32_t word : key) {
+        hash = (hash ^ word) * 0x100000001b3u;
+    }
+    hash = (hash ^ (hash >> 33)) * 0xff51afd7ed558ccdu;
+    return static_cast<std::size_t>(hash ^ (hash >> 33));
+}
+
+// Calls `visit(i, first)` for each value in order, `first` being the index of the first that equals it. The
+// table has at least twice as many places as values and each place holds the index of a value.
+template <class T, class Visit>
+void forEachFirst(std::span<const T> values, const Visit& visit) {
+    const std::size_t places = std::bit_ceil(2 * values.size() + 1);
+    std::vector<std::uint32_t> table(places, kFree);
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+        const auto key = keyOf(values[i]);
+        std::size_t place = hashOf(key) & (places - 1);
+        while (table[place] != kFree && keyOf(values[table[place]]) != key) {
+            place = (place + 1) & (places - 1);
+        }
+        if (table[place] == kFree) {
+            table[place] = i;
+        }
+        visit(i, table[place]);
+    }
+}
+
+template <class T>
+std::vector<std::uint32_t> allFirst(std::span<const T> values) {
+    std::vector<std::uint32_t> first;
+    first.reserve(values.size());
+    forEachFirst(values, [&first](std::uint32_t, std::uint32_t index) { first.push_back(index); });
+    return first;
 }
 
 } // namespace
 
-JoinedVertices joinVertices(const aiMesh& mesh, bool whole) {
-    JoinedVertices joined;
-    joined.group.reserve(mesh.mNumVertices);
-    std::unordered_map<Key, std::uint32_t, KeyHash> groups;
-    for (std::uint32_t vertex = 0; vertex < mesh.mNumVertices; ++vertex) {
-        const auto [found, isNew] =
-            groups.try_emplace(keyOf(mesh, vertex, whole), static_cast<std::uint32_t>(joined.kept.size()));
-        if (isNew) {
-            joined.kept.push_back(vertex);
-        }
-        joined.group.push_back(found->second);
-    }
-    return joined;
-}
+std::vector<std::uint32_t> firstEqual(std::span<const glm::vec2> values) { return allFirst(values); }
+std::vector<std::uint32_t> firstEqual(std::span<const glm::vec3> values) { return allFirst(values); }
+std::vector<std::uint32_t> firstEqual(std::span<const glm::vec4> values) { return allFirst(values); }
 
-JoinedVertices keepVertices(const aiMesh& mesh) {
-    JoinedVertices all;
-    all.kept.resize(mesh.mNumVertices);
-    std::iota(all.kept.begin(), all.kept.end(), 0u);
-    all.group = all.kept;
-    return all;
+JoinedCorners joinCorners(std::span<const CornerIndices> corners) {
+    JoinedCorners joined;
+    joined.vertex.reserve(corners.size());
+    forEachFirst(corners, [&joined](std::uint32_t corner, std::uint32_t first) {
+        if (corner == first) {
+            joined.vertex.push_back(static_cast<std::uint32_t>(joined.kept.size()));
+            joined.kept.push_back(corner);
+        } else {
+            joined.vertex.push_back(joined.vertex[first]);
+        }
+    });
+    return joined;
 }
 
 } // namespace metamarch

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The numbers behind the header of a PLY file, one after another.
+#pragma once
+#include "metamarch/scene/mesh/ply_header.h"
+#include "metamarch/scene/mesh/text_scanner.h"
+
+#include <bit>
+#include <cstring>
+
+namespace metamarch {
+
+// The element that is being read, for messages.
+class PlyPlace {
+  public:
+    explicit PlyPlace(const InputFile& file) : file_(file) {}
+
+    void set(const PlyElement& element, std::uint64_t index) {
+        element_ = &element;
+        index_ = index;
+    }
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        file_.refuse("PLY " + element_->name.substr(0, 40) + ' ' + std::to_string(index_) + ": " + what);
+    }
+
+  private:
+    const InputFile& file_;
+    const PlyElement* element_ = nullptr;
+    std::uint64_t index_ = 0;
+};
+
+// The number of a text's element may not go on in the next line unless `isFreeForm`.
+class PlyTextBody {
+  public:
+    PlyTextBody(std::string_view body, const PlyPlace& place, bool isFreeForm)
+        : scanner_(body), place_(place), isFreeForm_(isFreeForm) {}
+
+    void beginElement() {
+        if (isFreeForm_) {
+            return;
+        }
+        if (!scanner_.nextWord().empty()) {
+            ++longLines_;
+        }
+        word_ = wordOfLaterLine();
+    }
+
+    double read(PlyType) {
+        std::string_view word = word_.empty() ? scanner_.nextWord() : word_;
+        word_ = {};
+        if (word.empty()) {
+            word = isFreeForm_ ? wordOfLaterLine() : refuseLine();
+        }
+        const std::optional<double> number = parseNumber(word);
+        if (!number) {
+            place_.refuse(inQuotes(word) + " is not a number");
+        }
+        return *number;
+    }
+
+    // A list that is longer than the file meets the end of its line or of the file.
+    void checkRoom(double /*entries*/, PlyType) const {}
+
+    // Whether nothing but blanks is left. Reads them.
+    bool isAtEnd() {
+        while (scanner_.nextWord().empty()) {
+            if (!scanner_.nextLine()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // How many lines have more numbers than their element. They are ignored.
+    std::uint64_t longLines() const { return longLines_; }
+
+  private:
+    std::string_view wordOfLaterLine() {
+        while (scanner_.nextLine()) {
+            if (const std::string_view word = scanner_.nextWord(); !word.empty()) {
+                return word;
+            }
+        }
+        place_.refuse("the file ends here");
+    }
+
+    [[noreturn]] std::string_view refuseLine() const { place_.refuse("the line ends here"); }
+
+    TextScanner scanner_;
+    const PlyPlace& place_;
+    bool isFreeForm_;
+    std::string_view word_; // the first of the element, which beginElement has read
+    std::uint64_t longLines_ = 0;
+};
+
+template <std::endian order>
+class PlyBinaryBody {
+  public:
+    PlyBinaryBody(std::string_view body, const PlyPlace& place) : rest_(body), place_(place) {}
+
+    void beginElement() {}
+
+    double read(PlyType type) {
+        switch (type) {
+        case PlyType::int8:
+            return static_cast<std::int8_t>(bits<std::uint8_t>());
+        case PlyType::uint8:
+            return bits<std::uint8_t>();
+        case PlyType::int16:
+            return static_cast<std::int16_t>(bits<std::uint16_t>());
+        case PlyType::uint16:
+            return bits<std::uint16_t>();
+        case PlyType::int32:
+            return static_cast<std::int32_t>(bits<std::uint32_t>());
+        case PlyType::uint32:
+            return bits<std::uint32_t>();
+        case PlyType::float32:
+            return static_cast<double>(std::bit_cast<float>(bits<std::uint32_t>()));
+        case PlyType::float64:
+            return std::bit_cast<double>(bits<std::uint64_t>());
+        }
+        return 0.0;
+    }
+
+    void checkRoom(double entries, PlyType type) const {
+        if (entries > static_cast<double>(rest_.size() / sizeOf(type))) {
+            place_.refuse("the file ends here");
+        }
+    }
+
+  private:
+    template <class Bits>
+    Bits bits() {
+        if (rest_.size() < sizeof(Bits)) {
+            place_.refuse("the file ends here");
+        }
+        Bits value = 0;
+        if constexpr (order == std::endian::native) {
+            std::memcpy(&value, rest_.data(), sizeof value);
+        } else {
+            for (std::size_t i = 0; i < sizeof value; ++i) {
+                value = static_cast<Bits>(value << 8 | static_cast<unsigned char>(rest_[i]));
+            }
+        }
+        rest_.remove_prefix(sizeof value);
+        return value;
+    }
+
+    std::string_view rest_;
+    const PlyPlace& place_;
+};
+
+} // namespace metamarch
