@@ -5,6 +5,7 @@
 #include "metamarch/scene/instance_writer.h"
 #include "metamarch/scene/mesh/assimp_obj.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
+#include "metamarch/scene/mesh/triangulate.h"
 #include "metamarch/scene/mesh/vertex_join.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -70,6 +71,7 @@ class MeshImporter {
     // Divides every face into triangles and puts these into their groups.
     void divideFaces() {
         parts_.resize(std::max<std::size_t>(mesh_.partNames.size(), 1));
+        PolygonTriangulator triangulator;
         std::vector<glm::vec3> corners;
         std::uint32_t begin = 0;
         for (std::size_t face = 0; face < mesh_.faceEnd.size(); ++face) {
@@ -85,20 +87,12 @@ class MeshImporter {
                     corners.push_back(mesh_.positions[mesh_.cornerPosition[corner]]);
                 }
                 Group& group = groupOf(part, face, begin);
-                for (const glm::uvec3& triangle : triangulate(corners)) {
+                for (const glm::uvec3& triangle : triangulator.triangulate(corners)) {
                     group.triangles.push_back(begin + triangle);
                 }
             }
             begin = end;
         }
-    }
-
-    static std::vector<glm::uvec3> triangulate(std::span<const glm::vec3> corners) {
-        std::vector<glm::uvec3> triangles;
-        for (std::uint32_t i = 2; i < corners.size(); ++i) {
-            triangles.emplace_back(0, i - 1, i);
-        }
-        return triangles;
     }
 
     Group& groupOf(Part& part, std::size_t face, std::uint32_t firstCorner) const {

@@ -153,13 +153,16 @@ class OffTextReader {
         }
     }
 
-    // The number of edges may be missing; it is not used.
+    // The number of edges is not used. It may be missing, unless each count has a line of its own.
     Counts readCounts() {
         element_ = "header";
         Counts counts;
         counts.vertices = readCount(nextWord());
+        const std::uint64_t line = scanner_.lineNumber();
         counts.faces = readCount(nextWord());
-        scanner_.nextWord();
+        if (scanner_.nextWord().empty() && scanner_.lineNumber() != line) {
+            nextWord();
+        }
         element_ = "vertex";
         return counts;
     }

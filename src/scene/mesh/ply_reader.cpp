@@ -514,8 +514,8 @@ void addTextures(InputFile& file, const PlyHeader& header, Content& content, Mes
     }
     PolygonMesh& mesh = content.mesh;
     if (mesh.texCoords.empty()) {
-        file.warn("PLY: there are no texture coordinates, so the texture " + inQuotes(header.textureFiles[0]) +
-                  " is not used");
+        file.warn("PLY: there are no texture coordinates, so the texture " +
+                  inQuotes(header.textureFiles[0]) + " is not used");
         return;
     }
     for (const std::string& name : header.textureFiles) {

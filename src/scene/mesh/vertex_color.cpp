@@ -9,15 +9,15 @@ namespace metamarch {
 namespace {
 
 // IEC 61966-2-1
-float linear(float encoded) {
-    const auto value = static_cast<double>(encoded);
-    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+float linear(double encoded) {
+    return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92
+                                                 : std::pow((encoded + 0.055) / 1.055, 2.4));
 }
 
 std::array<float, 256> linearBytes() {
     std::array<float, 256> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = linear(static_cast<float>(i) / 255.0f);
+        values[i] = linear(static_cast<double>(i) / 255.0);
     }
     return values;
 }
@@ -51,7 +51,8 @@ std::vector<glm::vec4> FileColors::decoded() {
             float& value = color[channel];
             const bool isByte =
                 full == 255.0f && value >= 0.0f && value <= 255.0f && value == std::floor(value);
-            value = isByte ? kLinearBytes[static_cast<std::size_t>(value)] : linear(value / full);
+            value = isByte ? kLinearBytes[static_cast<std::size_t>(value)]
+                           : linear(static_cast<double>(value) / static_cast<double>(full));
         }
         color.a = color.a < 0.0f ? 1.0f : color.a / fullAlpha;
     }
