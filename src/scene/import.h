@@ -25,9 +25,9 @@ struct ImportOptions {
     bool operator==(const ImportOptions&) const = default;
 };
 
-// Reads glTF 2.0 (.gltf, .glb) with tinygltf and OBJ, PLY, OFF and STL with Assimp; the file's ending
-// decides. Throws Error(inputRefused), naming file and element, for anything unreadable, out of range or not
-// finite, and Error(invalidArgument), listing the existing ones, for an unknown variant or animation.
+// Reads glTF 2.0 (.gltf, .glb) with tinygltf, and OBJ, PLY, OFF and STL; the file's ending decides. Throws
+// Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite, and
+// Error(invalidArgument), listing the existing ones, for an unknown variant or animation.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 } // namespace metamarch

@@ -166,9 +166,8 @@ TEST_F(MtlMaterial, MissingTexturesAreRefusedByName) {
 }
 
 TEST_F(MtlMaterial, MapsThatAreNotRenderedAreReported) {
-    const Scene scene = load("map_bump gone.png\n");
-    EXPECT_TRUE(scene.warnings.at(0).ends_with(
-        "material 'm': maps of bumps, displacement and reflection are not rendered"));
+    const Scene scene = load("disp gone.png\nrefl -type sphere gone.png\nmap_Ns gone.png\ndisp b.png\n");
+    EXPECT_TRUE(scene.warnings.at(0).ends_with("a.obj: 'a.mtl': disp, refl, map_Ns are not rendered"));
 }
 
 TEST_F(MtlMaterial, NeitherVariantsNorAnimations) {

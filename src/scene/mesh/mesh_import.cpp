@@ -3,7 +3,6 @@
 
 #include "metamarch/scene/choice.h"
 #include "metamarch/scene/instance_writer.h"
-#include "metamarch/scene/mesh/assimp_obj.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
 #include "metamarch/scene/mesh/triangulate.h"
 #include "metamarch/scene/mesh/vertex_join.h"
@@ -242,11 +241,11 @@ class MeshImporter {
 };
 
 MeshFile readMesh(InputFile& file, const std::string& ending) {
-    if (ending == ".obj") {
-        return readObjWithAssimp(file);
-    }
     const std::vector<unsigned char> bytes = file.read();
     const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (ending == ".obj") {
+        return readObj(file, content);
+    }
     if (ending == ".ply") {
         return readPly(file, content);
     }

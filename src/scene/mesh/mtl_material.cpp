@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/mtl_material.h"
 
-#include <assimp/ObjMaterial.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace metamarch {
 namespace {
@@ -15,177 +15,226 @@ constexpr bool isGlass(int illumination) {
 }
 constexpr bool isRefracting(int illumination) { return illumination == 6 || illumination == 7; }
 
-// Maps NaN to 0.
-float clamped(float value, float most = 1.0f) { return value > 0.0f ? std::min(value, most) : 0.0f; }
+constexpr float kMost = std::numeric_limits<float>::max();
 
-std::optional<float> number(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
-    float value = 0.0f;
-    return source.Get(key, type, index, value) == AI_SUCCESS && std::isfinite(value) ? std::optional(value)
-                                                                                     : std::nullopt;
+float unit(float value) { return std::clamp(value, 0.0f, 1.0f); }
+
+// A map without its number has factor 1. A gain of the map multiplies it.
+float factor(const std::optional<float>& number, const MtlMap& map) {
+    return unit(number.value_or(map.isGiven() ? 1.0f : 0.0f) * map.gain);
+}
+glm::vec3 factor(const std::optional<glm::vec3>& color, const MtlMap& map, float without) {
+    return glm::max(color.value_or(glm::vec3(map.isGiven() ? 1.0f : without)) * map.gain, glm::vec3(0.0f));
 }
 
-glm::vec3 color(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
-    aiColor3D value;
-    if (source.Get(key, type, index, value) != AI_SUCCESS) {
-        return glm::vec3(0.0f);
-    }
-    constexpr float kMost = std::numeric_limits<float>::max();
-    return {clamped(value.r, kMost), clamped(value.g, kMost), clamped(value.b, kMost)};
-}
-
-bool has(const aiMaterial& source, aiTextureType type) { return source.GetTextureCount(type) > 0; }
-
-// File names may use another system's separators.
-TextureSource sourceOf(const InputFile& file, const aiMaterial& material, aiTextureType type) {
-    aiString path;
-    material.GetTexture(type, 0, &path);
-    std::string name = path.C_Str();
-    std::ranges::replace(name, '\\', '/');
-    return fileSource(file, name);
-}
-
-Texture samplerOf(const aiMaterial& material, aiTextureType type) {
-    aiString path;
-    aiTextureMapMode modes[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
-    material.GetTexture(type, 0, &path, nullptr, nullptr, nullptr, nullptr, modes);
-    const auto wrap = [](aiTextureMapMode mode) {
-        return mode == aiTextureMapMode_Clamp ? TextureWrap::clampToEdge : TextureWrap::repeat;
-    };
-    Texture sampler;
-    sampler.wrapS = wrap(modes[0]);
-    sampler.wrapT = wrap(modes[1]);
-    return sampler;
-}
-
-void readEmission(const aiMaterial& source, Material& material) {
-    glm::vec3 emission = color(source, AI_MATKEY_COLOR_EMISSIVE);
-    if (has(source, aiTextureType_EMISSIVE) && emission == glm::vec3(0.0f)) {
+void readEmission(const MtlMaterial& source, Material& material) {
+    glm::vec3 emission = glm::min(factor(source.emission, source.emissionMap, 0.0f), glm::vec3(kMost));
+    if (source.emissionMap.isGiven() && emission == glm::vec3(0.0f)) { // black is what programs write first
         emission = glm::vec3(1.0f);
     }
     material.emissiveStrength = std::max({1.0f, emission.r, emission.g, emission.b});
     material.emissiveFactor = emission / material.emissiveStrength;
 }
 
-void readReflection(const aiMaterial& source, Material& material) {
-    const std::optional<float> roughness = number(source, AI_MATKEY_ROUGHNESS_FACTOR);
-    const std::optional<float> metallic = number(source, AI_MATKEY_METALLIC_FACTOR);
-    const bool isPhysical = roughness || metallic || has(source, aiTextureType_DIFFUSE_ROUGHNESS) ||
-                            has(source, aiTextureType_METALNESS);
-    material.metallicFactor = clamped(metallic.value_or(has(source, aiTextureType_METALNESS) ? 1.0f : 0.0f));
+void readReflection(const MtlMaterial& source, Material& material) {
+    const bool isPhysical =
+        source.roughness || source.metallic || source.roughnessMap.isGiven() || source.metallicMap.isGiven();
+    material.metallicFactor = factor(source.metallic, source.metallicMap);
     if (isPhysical) {
-        material.roughnessFactor = clamped(roughness.value_or(1.0f));
+        material.roughnessFactor = unit(source.roughness.value_or(1.0f) * source.roughnessMap.gain);
         return;
     }
-    const float exponent =
-        clamped(number(source, AI_MATKEY_SHININESS).value_or(0.0f), std::numeric_limits<float>::max());
+    const float exponent = std::max(source.exponent.value_or(0.0f), 0.0f);
     material.roughnessFactor = std::sqrt(std::sqrt(2.0f / (exponent + 2.0f))); // glTF: alpha is its square
-    material.specularColorFactor = glm::min(color(source, AI_MATKEY_COLOR_SPECULAR), glm::vec3(1.0f));
+    material.specularColorFactor =
+        glm::min(factor(source.specular, source.specularMap, 0.0f), glm::vec3(1.0f));
     material.specularFactor = material.specularColorFactor == glm::vec3(0.0f) ? 0.0f : 1.0f;
 }
 
-void readOpacity(const aiMaterial& source, Material& material) {
-    const float opacity = clamped(number(source, AI_MATKEY_OPACITY).value_or(1.0f));
-    int illumination = 0;
-    source.Get(AI_MATKEY_OBJ_ILLUM, illumination);
-    if (isGlass(illumination)) {
+void readLayers(const MtlMaterial& source, Material& material) {
+    constexpr float kSheenRoughness = 0.5f;
+    material.sheenColorFactor = glm::vec3(factor(source.sheen, source.sheenMap));
+    if (material.sheenColorFactor != glm::vec3(0.0f)) {
+        material.sheenRoughnessFactor = kSheenRoughness;
+    }
+    material.clearcoatFactor = factor(source.clearcoat, source.clearcoatMap);
+    material.clearcoatRoughnessFactor = factor(source.clearcoatRoughness, source.clearcoatRoughnessMap);
+    material.anisotropyStrength = unit(source.anisotropy.value_or(0.0f));
+    const float turns = source.anisotropyRotation.value_or(0.0f);
+    material.anisotropyRotation = 2.0f * std::numbers::pi_v<float> * (turns - std::floor(turns));
+}
+
+std::optional<int> channelOf(char name) {
+    constexpr std::string_view kNames = "rgbml";
+    static_assert(TextureOverlay::kLuminance == 4);
+    const std::size_t index = kNames.find(name);
+    return index == std::string_view::npos ? std::nullopt : std::optional(static_cast<int>(index));
+}
+
+constexpr int kAlpha = 3;
+
+} // namespace
+
+Material MtlTextures::read(const MtlMaterial& source) {
+    constexpr float kDiffuse = 0.6f; // of a material that says nothing of it
+    Material material;
+    material.name = source.name;
+    material.baseColorFactor =
+        glm::vec4(glm::min(factor(source.diffuse, source.diffuseMap, kDiffuse), glm::vec3(1.0f)), 1.0f);
+    material.doubleSided = true; // OBJ has no single-sided surfaces
+    readEmission(source, material);
+    readReflection(source, material);
+    readLayers(source, material);
+    readOpacity(source, material);
+    readColorMaps(source, material);
+    readPhysicalMaps(source, material);
+    readNormalMaps(source, material);
+    return material;
+}
+
+// Programs do not agree on Tr. Most write 1 - d, MeshLab and those that follow it write d.
+void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
+    const bool transmits = isGlass(source.illumination);
+    float opacity = unit(source.opacity.value_or(1.0f));
+    if (!source.opacity && source.transparency) {
+        const float given = unit(*source.transparency);
+        opacity = source.isByMeshLab ? given : 1.0f - given;
+        if (opacity == 0.0f && !transmits) {
+            opacity = 1.0f;
+            file_.warn("material '" + source.name +
+                       "': by its Tr nothing of it would be seen; it is rendered opaque");
+        }
+    }
+    if (transmits) {
         material.transmissionFactor = 1.0f - opacity;
-        material.ior = std::max(number(source, AI_MATKEY_REFRACTI).value_or(1.5f), 1.0f);
-        material.thicknessFactor = isRefracting(illumination) ? 1.0f : 0.0f;
+        material.ior = std::max(source.ior.value_or(1.5f), 1.0f);
+        material.thicknessFactor = isRefracting(source.illumination) ? 1.0f : 0.0f;
         return;
     }
-    material.baseColorFactor.a = opacity;
-    if (opacity < 1.0f || has(source, aiTextureType_OPACITY)) {
+    if (opacity == 0.0f) {
+        file_.warn("material '" + source.name + "': its d is 0, so nothing of it is seen");
+    }
+    material.baseColorFactor.a = unit(opacity * source.opacityMap.gain);
+    if (opacity < 1.0f || source.opacityMap.isGiven()) {
         material.alphaMode = AlphaMode::blend;
     }
 }
 
-} // namespace
-
-Material MtlTextures::read(const aiMaterial& source) {
-    Material material;
-    material.name = source.GetName().C_Str();
-    material.baseColorFactor =
-        glm::vec4(glm::min(color(source, AI_MATKEY_COLOR_DIFFUSE), glm::vec3(1.0f)), 1.0f);
-    material.doubleSided = true; // OBJ has no single-sided surfaces
-    readEmission(source, material);
-    readReflection(source, material);
-    readOpacity(source, material);
-    readTextures(source, material);
-    return material;
-}
-
-void MtlTextures::readTextures(const aiMaterial& source, Material& material) {
-    std::vector<TextureOverlay> alpha;
-    if (has(source, aiTextureType_OPACITY)) {
-        alpha.push_back({sourceOf(file_, source, aiTextureType_OPACITY), 3});
-    }
-    if (has(source, aiTextureType_DIFFUSE)) {
-        material.baseColorTexture = add(source, aiTextureType_DIFFUSE, true, alpha);
-    } else if (!alpha.empty()) {
-        material.baseColorTexture = addWhite(alpha);
-    }
-
-    std::vector<TextureOverlay> metallic;
-    if (has(source, aiTextureType_METALNESS)) {
-        metallic.push_back({sourceOf(file_, source, aiTextureType_METALNESS), 2});
-    }
-    if (has(source, aiTextureType_DIFFUSE_ROUGHNESS)) { // the map is grey; glTF reads roughness from g
-        material.metallicRoughnessTexture = add(source, aiTextureType_DIFFUSE_ROUGHNESS, false, metallic);
-    } else if (!metallic.empty()) {
-        material.metallicRoughnessTexture = addWhite(metallic);
-    }
-
-    if (has(source, aiTextureType_SPECULAR) && material.specularFactor > 0.0f) {
-        material.specularColorTexture = add(source, aiTextureType_SPECULAR, true);
-    }
-    if (has(source, aiTextureType_EMISSIVE)) {
-        material.emissiveTexture = add(source, aiTextureType_EMISSIVE, true);
-    }
-    if (has(source, aiTextureType_NORMALS)) {
-        material.normalTexture = add(source, aiTextureType_NORMALS, false);
-    }
-    for (const aiTextureType type :
-         {aiTextureType_HEIGHT, aiTextureType_DISPLACEMENT, aiTextureType_REFLECTION}) {
-        if (has(source, type)) {
-            file_.warn("material '" + material.name +
-                       "': maps of bumps, displacement and reflection are not rendered");
+void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
+    if (source.diffuseMap.isGiven()) {
+        TextureSource image = fileSource(file_, source.diffuseMap.name);
+        if (source.opacityMap.isGiven()) {
+            image.overlays.push_back(overlayOf(source.opacityMap, kAlpha));
+            warnUnlessSameUse(source, source.opacityMap, source.diffuseMap);
         }
+        material.baseColorTexture = add(source.diffuseMap, std::move(image), true);
+    } else if (source.opacityMap.isGiven()) {
+        material.baseColorTexture = add(source.opacityMap, greySource(source.opacityMap, {kAlpha}), false);
+    }
+    if (source.specularMap.isGiven() && material.specularFactor > 0.0f) {
+        material.specularColorTexture =
+            add(source.specularMap, fileSource(file_, source.specularMap.name), true);
+    }
+    if (source.emissionMap.isGiven()) {
+        material.emissiveTexture = add(source.emissionMap, fileSource(file_, source.emissionMap.name), true);
     }
 }
 
-TextureRef MtlTextures::add(const aiMaterial& source, aiTextureType type, bool isSrgb,
-                            std::vector<TextureOverlay> overlays) {
-    TextureSource image = sourceOf(file_, source, type);
-    image.overlays = std::move(overlays);
-    return append(samplerOf(source, type), std::move(image), isSrgb);
+// The channels are those that glTF reads.
+void MtlTextures::readPhysicalMaps(const MtlMaterial& source, Material& material) {
+    if (source.roughnessMap.isGiven()) {
+        TextureSource image = greySource(source.roughnessMap, {1});
+        if (source.metallicMap.isGiven()) {
+            image.overlays.push_back(overlayOf(source.metallicMap, 2));
+            warnUnlessSameUse(source, source.metallicMap, source.roughnessMap);
+        }
+        material.metallicRoughnessTexture = add(source.roughnessMap, std::move(image), false);
+    } else if (source.metallicMap.isGiven()) {
+        material.metallicRoughnessTexture =
+            add(source.metallicMap, greySource(source.metallicMap, {2}), false);
+    }
+    if (source.sheenMap.isGiven()) {
+        material.sheenColorTexture = add(source.sheenMap, greySource(source.sheenMap, {0, 1, 2}), false);
+    }
+    if (source.clearcoatMap.isGiven()) {
+        material.clearcoatTexture = add(source.clearcoatMap, greySource(source.clearcoatMap, {0}), false);
+    }
+    if (source.clearcoatRoughnessMap.isGiven()) {
+        material.clearcoatRoughnessTexture =
+            add(source.clearcoatRoughnessMap, greySource(source.clearcoatRoughnessMap, {1}), false);
+    }
 }
 
-TextureRef MtlTextures::addWhite(std::vector<TextureOverlay> overlays) {
-    TextureSource image = overlays.front().source;
+void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) {
+    if (source.normalMap.isGiven()) {
+        material.normalTexture = add(source.normalMap, fileSource(file_, source.normalMap.name), false);
+        material.normalScale = source.normalMap.bumpMultiplier;
+        if (source.bumpMap.isGiven()) {
+            file_.warn("material '" + source.name +
+                       "': the bump map is not rendered where there is a normal map");
+        }
+    } else if (source.bumpMap.isGiven()) {
+        TextureSource image = source.bumpMap.channel == '\0' ? fileSource(file_, source.bumpMap.name)
+                                                             : greySource(source.bumpMap, {0, 1, 2});
+        image.isHeight = true;
+        material.normalTexture = add(source.bumpMap, std::move(image), false);
+        material.normalScale = source.bumpMap.bumpMultiplier * source.bumpMap.gain;
+    }
+}
+
+// Two maps that become one picture are looked up at the same place.
+void MtlTextures::warnUnlessSameUse(const MtlMaterial& source, const MtlMap& map, const MtlMap& shared) {
+    if (map.scale != shared.scale || map.offset != shared.offset || map.clamp != shared.clamp) {
+        file_.warn("material '" + source.name + "': the options of '" + map.name +
+                   "' are not rendered; those of '" + shared.name + "' hold for both");
+    }
+}
+
+// A mask is the alpha of its picture where it has one.
+TextureOverlay MtlTextures::overlayOf(const MtlMap& map, int channel) const {
+    const int byItself = channel == kAlpha ? TextureOverlay::kAlphaOrRed : 0;
+    return {fileSource(file_, map.name), channel, channelOf(map.channel).value_or(byItself)};
+}
+
+// A white picture whose `channels` are the map.
+TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<int> channels) const {
+    TextureSource image = fileSource(file_, map.name);
     image.read = nullptr;
-    image.overlays = std::move(overlays);
-    return append(Texture(), std::move(image), false);
+    for (const int channel : channels) {
+        image.overlays.push_back(overlayOf(map, channel));
+    }
+    return image;
 }
 
-// Reuses an earlier source that has the same image and the same overlays.
-TextureRef MtlTextures::append(const Texture& sampler, TextureSource source, bool isSrgb) {
-    const auto sameFiles = [&source](const TextureSource& other) {
+// Reuses an earlier source that makes the same picture.
+TextureRef MtlTextures::add(const MtlMap& map, TextureSource source, bool isSrgb) {
+    const auto samePicture = [&source](const TextureSource& other) {
         return other.name == source.name && (other.read == nullptr) == (source.read == nullptr) &&
-               std::ranges::equal(other.overlays, source.overlays,
-                                  [](const TextureOverlay& a, const TextureOverlay& b) {
-                                      return a.source.name == b.source.name && a.channel == b.channel;
-                                  });
+               other.isHeight == source.isHeight &&
+               std::ranges::equal(
+                   other.overlays, source.overlays, [](const TextureOverlay& a, const TextureOverlay& b) {
+                       return a.source.name == b.source.name && a.channel == b.channel && a.from == b.from;
+                   });
     };
-    const auto known = std::ranges::find_if(sources_, sameFiles);
-    Texture texture = sampler;
-    texture.image = static_cast<std::uint32_t>(known - sources_.begin());
-    if (known == sources_.end()) {
+    std::vector<std::uint32_t>& known = sourcesOf_[source.name];
+    const auto same =
+        std::ranges::find_if(known, [&](std::uint32_t index) { return samePicture(sources_[index]); });
+    Texture texture;
+    texture.wrapS = texture.wrapT = map.clamp ? TextureWrap::clampToEdge : TextureWrap::repeat;
+    if (same != known.end()) {
+        texture.image = *same;
+    } else {
+        texture.image = static_cast<std::uint32_t>(sources_.size());
+        known.push_back(texture.image);
         sources_.push_back(std::move(source));
     }
     textures_.push_back(texture);
     TextureRef ref;
     ref.texture = static_cast<std::uint32_t>(textures_.size()) - 1;
     ref.isSrgb = isSrgb;
+    // MTL counts v from below: 1 - (scale * (1 - v) + offset).
+    ref.transform =
+        glm::mat3x2(map.scale.x, 0.0f, 0.0f, map.scale.y, map.offset.x, 1.0f - map.scale.y - map.offset.y);
     return ref;
 }
 

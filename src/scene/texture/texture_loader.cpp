@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/texture/texture_loader.h"
 
+#include "metamarch/scene/texture/height_map.h"
 #include "metamarch/scene/texture/texture_decoder.h"
 
 #include <tbb/parallel_for.h>
@@ -54,11 +55,18 @@ void enlarge(TextureImage& image, const TextureImage& other) {
     image = std::move(larger);
 }
 
-void overlay(TextureImage& image, const TextureImage& over, int channel) {
+float valueOf(const glm::vec4& texel, int from) {
+    constexpr glm::vec3 kWeights(0.2126f, 0.7152f, 0.0722f); // ITU-R BT.709
+    return from == TextureOverlay::kLuminance ? glm::dot(glm::vec3(texel), kWeights) : texel[from];
+}
+
+void overlay(TextureImage& image, const TextureImage& over, int channel, int from) {
     enlarge(image, over);
-    const int from = hasAlpha(over) ? 3 : 0;
+    if (from == TextureOverlay::kAlphaOrRed) {
+        from = hasAlpha(over) ? 3 : 0;
+    }
     for (std::size_t i = 0; i < texelCount(image); ++i) {
-        const float value = texelOf(over, image, i)[from];
+        const float value = valueOf(texelOf(over, image, i), from);
         if (image.floats.empty()) {
             image.bytes[i][channel] =
                 static_cast<glm::u8>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
@@ -88,7 +96,10 @@ Loaded load(const TextureSource& source) {
     try {
         DecodedTexture texture = decode(source);
         for (const TextureOverlay& over : source.overlays) {
-            overlay(texture.image, decode(over.source).image, over.channel);
+            overlay(texture.image, decode(over.source).image, over.channel, over.from);
+        }
+        if (source.isHeight) {
+            heightsToNormals(texture.image);
         }
         return {std::move(texture), ""};
     } catch (const TextureFailure& failure) {

@@ -20,13 +20,17 @@ struct TextureSource {
     // texel.
     std::function<std::vector<unsigned char>()> read;
     std::vector<TextureOverlay> overlays{}; // applied in order
+    bool isHeight = false;                  // then becomes a normal map (texture/height_map.h)
 };
 
-// Replaces a channel of another image by this image's alpha or, if it has none, its red. The smaller image is
-// enlarged without filtering.
+// Replaces a channel of another image by one of this image. The smaller image is enlarged without filtering.
 struct TextureOverlay {
+    static constexpr int kAlphaOrRed = -1; // alpha or, if the image has none, red
+    static constexpr int kLuminance = 4;
+
     TextureSource source; // its own overlays are ignored
     int channel;
+    int from = kAlphaOrRed; // 0 to 3, or one of these
 };
 
 // Before the call, scene.textures holds every texture of the file, each `image` is an index into `sources`,
