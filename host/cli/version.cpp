@@ -5,7 +5,6 @@
 
 #include <CLI/Version.hpp>
 #include <OpenImageIO/oiioversion.h>
-#include <assimp/version.h>
 #include <fmt/format.h>
 #include <glm/detail/setup.hpp>
 #include <tbb/version.h>
@@ -28,7 +27,6 @@ std::string versionText() {
     add("GLM", fmt::format("{}.{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
                            GLM_VERSION_REVISION));
     add("OpenImageIO", fmt::format("{}.{}.{}", OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR, OIIO_VERSION_PATCH));
-    add("Assimp", fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()));
     add("tinygltf", METAMARCH_TINYGLTF_VERSION);
     add("oneTBB", fmt::format("{}.{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH));
     add("CLI11", CLI11_VERSION);

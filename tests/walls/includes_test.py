@@ -12,7 +12,6 @@ OTHERS = [
     ("CLI/", "CLI11::CLI11", ["cli"]),
     ("GLFW/", "glfw", ["viewer"]),
     ("OpenImageIO/", "OpenImageIO::OpenImageIO", ["image", "scene"]),
-    ("assimp/", "assimp::assimp", ["scene"]),
     ("backends/imgui_", "PkgConfig::imgui", ["viewer"]),
     ("draco/", "draco::draco", ["scene"]),
     ("embree3/", "embree", ["bench"]),
