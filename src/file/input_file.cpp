@@ -64,12 +64,16 @@ std::string InputFile::whyNotReadable(const std::string& name) const {
     if (name.find("://") != std::string::npos) {
         return "is not a file beside the scene";
     }
+    std::error_code failure;
+    const bool isFile = std::filesystem::is_regular_file(companion(name), failure);
+    if (failure == std::errc::filename_too_long) {
+        return "has too long a name";
+    }
     if (std::filesystem::path(name).is_absolute() || name.find('\0') != std::string::npos ||
         !isBeside(companion(name))) {
         return "leaves the scene's folder";
     }
-    std::error_code failure;
-    return std::filesystem::is_regular_file(companion(name), failure) ? "" : "is missing";
+    return isFile ? "" : "is missing";
 }
 
 void InputFile::refuse(const std::string& what) const { throw Error(ErrorKind::inputRefused, line(what)); }

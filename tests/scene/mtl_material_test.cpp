@@ -170,6 +170,162 @@ TEST_F(MtlMaterial, MapsThatAreNotRenderedAreReported) {
     EXPECT_TRUE(scene.warnings.at(0).ends_with("a.obj: 'a.mtl': disp, refl, map_Ns are not rendered"));
 }
 
+TEST_F(MtlMaterial, ColorsOfOneNumberAreGrey) {
+    EXPECT_EQ(material("Kd 0.5\n").baseColorFactor, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+    EXPECT_EQ(material("Ke .25 # a glow\n").emissiveFactor, glm::vec3(0.25f));
+    const Scene scene = load("Kd spectral steel.rfl 0.5\nKs xyz 0.5 0.5 0.5\nPm high\nKe nan 0 0\n");
+    EXPECT_EQ(scene.materials[0].baseColorFactor, glm::vec4(0.6f, 0.6f, 0.6f, 1));
+    EXPECT_EQ(scene.materials[0].emissiveFactor, glm::vec3(0));
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("'a.mtl': Kd spectral, Ks xyz are not rendered"));
+    EXPECT_TRUE(scene.warnings[1].ends_with("'a.mtl': Pm, Ke have no number there and are skipped"));
+}
+
+TEST_F(MtlMaterial, MapsWithoutNumbersHaveFactorOne) {
+    writePng("a.png", 1, 3, {10, 20, 30});
+    EXPECT_EQ(material("illum 0\nmap_Kd a.png\n").baseColorFactor, glm::vec4(1));
+    EXPECT_EQ(material("Kd 0.5 0.5 0.5\nmap_Kd a.png\n").baseColorFactor, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+    const Material shiny = material("map_Ks a.png\n");
+    EXPECT_EQ(shiny.specularFactor, 1.0f);
+    EXPECT_EQ(shiny.specularColorFactor, glm::vec3(1));
+    EXPECT_NE(shiny.specularColorTexture.texture, kNoTexture);
+    EXPECT_EQ(material("map_Kd -mm 0 0.25 a.png\n").baseColorFactor, glm::vec4(0.25f, 0.25f, 0.25f, 1));
+}
+
+TEST_F(MtlMaterial, TransparencyOfBothMeanings) {
+    EXPECT_EQ(material("Tr 0.25\n").baseColorFactor.a, 0.75f);
+    EXPECT_EQ(material("Tr 0\n").alphaMode, AlphaMode::opaque);
+    EXPECT_EQ(material("d 0.25\nTr 0.25\n").baseColorFactor.a, 0.25f);
+    EXPECT_EQ(material("Tr 1\nillum 4\n").transmissionFactor, 1.0f);
+    const auto warnings = [&](const std::string& lines, float alpha) {
+        const Scene scene = load(lines);
+        EXPECT_EQ(scene.materials[0].baseColorFactor.a, alpha);
+        std::string text;
+        for (const std::string& line : scene.warnings) {
+            text += line.substr((folder / "a.obj").string().size() + 2);
+        }
+        return text;
+    };
+    EXPECT_EQ(warnings("Tr 1.000000\n", 1.0f),
+              "material 'm': by its Tr nothing of it would be seen; it is rendered opaque");
+    EXPECT_EQ(warnings("d 0\n", 0.0f), "material 'm': its d is 0, so nothing of it is seen");
+    EXPECT_EQ(warnings("d -halo 0.5\n", 0.5f), "'a.mtl': d -halo are not rendered");
+    // MeshLab names itself before the first material.
+    EXPECT_EQ(warnings("# Converted by Meshlab Group\nnewmtl m\nTr 0.25\n", 0.25f), "");
+    EXPECT_EQ(warnings("# Converted by Meshlab Group\nnewmtl m\nTr 1\n", 1.0f), "");
+}
+
+TEST_F(MtlMaterial, MapsAreFoundBesideTheLibraryAndTheObj) {
+    std::filesystem::create_directory(folder / "sub");
+    writePng("sub/t.png", 1, 3, {10, 20, 30});
+    writePng("o.png", 1, 3, {40, 50, 60});
+    writeFile(folder / "sub" / "t.mtl", "newmtl x\nmap_Kd t.png\nmap_Ke o.png\n");
+    writeFile(folder / "a.obj", "mtllib sub/t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl x\nf 1 2 3\n");
+    const Scene scene = loadScene(folder / "a.obj");
+    EXPECT_EQ(image(scene, scene.materials[0].baseColorTexture).name, "texture 'sub/t.png'");
+    EXPECT_EQ(image(scene, scene.materials[0].emissiveTexture).name, "texture 'o.png'");
+}
+
+TEST_F(MtlMaterial, NamesOfMaps) {
+    writePng("t.png", 1, 3, {10, 20, 30});
+    writePng("two words.png", 1, 3, {1, 2, 3});
+    for (const std::string name :
+         {"t.png \t", "C:\\Users\\me\\t.png", ".\\t.png", "/home/me/t.png", "textures/t.png", "\"t.png\"",
+          "t.png # painted", "-s 2 t.png", "-o 1 2 3 -clamp off t.png", "-bm 1 -blendu on -cc off t.png"}) {
+        const Scene scene = load("map_Kd " + name + "\n");
+        EXPECT_EQ(scene.warnings, std::vector<std::string>()) << name;
+        ASSERT_EQ(scene.images.size(), 1u) << name;
+        EXPECT_EQ(scene.images[0].name, "texture 't.png'");
+    }
+    EXPECT_EQ(load("map_Kd -s 1 1 two words.png \n").images.at(0).name, "texture 'two words.png'");
+    EXPECT_EQ(load("map_Kd \n").materials[0].baseColorTexture.texture, kNoTexture);
+    EXPECT_EQ(refusal("map_Kd C:\\gone.png\n"), "texture 'C:/gone.png' is missing");
+    EXPECT_EQ(refusal("map_Kd -5 gone.png\n"), "texture '-5 gone.png' is missing");
+}
+
+// The map is looked up at scale * (u, v) + offset, v up.
+TEST_F(MtlMaterial, ScaleAndOffsetPlaceAMap) {
+    writePng("t.png", 1, 3, {10, 20, 30});
+    const auto lookedUp = [&](const std::string& options, const glm::vec2& uv) {
+        const glm::vec2 at = material("map_Kd " + options + " t.png\n").baseColorTexture.transform *
+                             glm::vec3(uv.x, 1.0f - uv.y, 1);
+        return glm::vec2(at.x, 1.0f - at.y);
+    };
+    const glm::vec2 uv(0.5f, 0.25f);
+    EXPECT_EQ(lookedUp("-s 2 4 1 -o 0.25 0.5 0", uv), glm::vec2(1.25f, 1.5f));
+    EXPECT_EQ(lookedUp("-o 0.25 -s 2", uv), glm::vec2(1.25f, 0.25f));
+    EXPECT_EQ(lookedUp("-s 2 3", uv), glm::vec2(1, 0.75f));
+    EXPECT_EQ(lookedUp("-s -1 1 1", uv), glm::vec2(-0.5f, 0.25f));
+}
+
+TEST_F(MtlMaterial, OptionsThatAreNotRenderedAreNamed) {
+    writePng("t.png", 1, 3, {10, 20, 30});
+    const Scene scene = load("map_Kd -t 1 2 3 -texres 512 -boost 2 -mm 0.5 1 -cc on -blendu off -imfchan r "
+                             "-type sphere t.png\nfancy 3\nKq 1\n");
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("'a.mtl': fancy, Kq are not known and are skipped"));
+    EXPECT_TRUE(
+        scene.warnings[1].ends_with("'a.mtl': -t, -texres, -boost, -mm with a base, -cc on, -blendu off, "
+                                    "-imfchan r of map_Kd, -type are options of maps that are not rendered"));
+}
+
+TEST_F(MtlMaterial, ChannelsOfMaps) {
+    writePng("t.png", 1, 4, {10, 20, 30, 40});
+    const auto texel = [&](const std::string& line, TextureRef Material::*ref) {
+        const Scene scene = load(line + " t.png\n");
+        return image(scene, scene.materials[0].*ref).bytes.at(0);
+    };
+    EXPECT_EQ(texel("map_d", &Material::baseColorTexture).a, 40);
+    EXPECT_EQ(texel("map_d -imfchan g", &Material::baseColorTexture).a, 20);
+    EXPECT_EQ(texel("map_d -imfchan l", &Material::baseColorTexture).a, 19); // 0.2126 r + 0.7152 g + 0.0722 b
+    EXPECT_EQ(texel("map_Pr", &Material::metallicRoughnessTexture).g, 10);
+    EXPECT_EQ(texel("map_Pr -imfchan m", &Material::metallicRoughnessTexture).g, 40);
+    EXPECT_EQ(texel("Pc 1\nmap_Pc -imfchan b", &Material::clearcoatTexture).r, 30);
+}
+
+TEST_F(MtlMaterial, LayersOfThePhysicalExtension) {
+    const Material m = material("Pr 0.5\nPs 0.25\nPc 0.75\nPcr 0.125\naniso 0.5\nanisor 0.25\n");
+    EXPECT_EQ(m.sheenColorFactor, glm::vec3(0.25f));
+    EXPECT_EQ(m.sheenRoughnessFactor, 0.5f);
+    EXPECT_EQ(m.clearcoatFactor, 0.75f);
+    EXPECT_EQ(m.clearcoatRoughnessFactor, 0.125f);
+    EXPECT_EQ(m.anisotropyStrength, 0.5f);
+    EXPECT_FLOAT_EQ(m.anisotropyRotation, 1.57079633f);
+}
+
+// A ramp that rises by 1 / 255 from texel to texel has the slope of that height over one texel.
+TEST_F(MtlMaterial, BumpMapsAreHeights) {
+    std::vector<unsigned char> ramp;
+    for (int x = 0; x < 200; ++x) {
+        ramp.push_back(static_cast<unsigned char>(x));
+    }
+    writePng("ramp.png", 200, 1, ramp);
+    const Scene scene = load("bump -bm 0.5 ramp.png\n");
+    const Material& m = scene.materials[0];
+    EXPECT_EQ(m.normalScale, 0.5f);
+    EXPECT_FALSE(m.normalTexture.isSrgb);
+    const glm::vec3 normal = glm::vec3(image(scene, m.normalTexture).floats.at(100)) * 2.0f - 1.0f;
+    const float slope = 0.01f * 200.0f / 255.0f; // kHeightOfWhite
+    EXPECT_LT(glm::distance(normal, glm::normalize(glm::vec3(-slope, 0, 1))), 1e-6f);
+    EXPECT_EQ(scene.tangents.size(), scene.positions.size());
+    writePng("flat.png", 1, 1, {77});
+    const Scene flat = load("map_Bump flat.png\n");
+    EXPECT_EQ(image(flat, flat.materials[0].normalTexture).floats.at(0), glm::vec4(0.5f, 0.5f, 1, 1));
+}
+
+TEST_F(MtlMaterial, BumpMapsOfBlenderAreNormalMaps) {
+    writePng("normal.png", 2, 3, {128, 128, 255, 160, 100, 240});
+    const Scene scene = load("map_Bump -bm 2 normal.png\n");
+    EXPECT_EQ(scene.materials[0].normalScale, 2.0f);
+    EXPECT_EQ(image(scene, scene.materials[0].normalTexture).bytes.at(1), glm::u8vec4(160, 100, 240, 255));
+}
+
+TEST_F(MtlMaterial, ALaterMaterialOfTheSameNameAddsToIt) {
+    const Material m = material("Kd 1 0 0\nnewmtl other\nKd 0 1 0\nnewmtl m\nKe 0 0 1\n");
+    EXPECT_EQ(m.baseColorFactor, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(m.emissiveFactor, glm::vec3(0, 0, 1));
+}
+
 TEST_F(MtlMaterial, NeitherVariantsNorAnimations) {
     expectError(ErrorKind::invalidArgument, "there is no variant blue; the scene has none", {"variant"},
                 [&] { load("", {.variant = "blue"}); });

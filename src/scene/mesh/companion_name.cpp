@@ -45,7 +45,7 @@ std::string companionName(const InputFile& file, const std::string& from, std::s
         const auto found = std::ranges::find_if(
             tried, [&](const std::string& each) { return file.whyNotReadable(each).empty(); });
         if (found != tried.end()) {
-            return *found;
+            return std::filesystem::path(*found).lexically_normal().generic_string();
         }
     }
     return isAbsolute(spellings[0]) ? spellings[0] : (folder / spellings[0]).generic_string();

@@ -278,11 +278,21 @@ class ObjReader {
         while (!rest.empty()) {
             length = std::min(rest.find_first_of(" \t", rest.find_first_not_of(" \t", length)), rest.size());
             if (length == rest.size() || endsName(rest.substr(0, length))) {
-                libraries_.emplace_back(rest.substr(0, length));
+                addLibrary(std::string(rest.substr(0, length)));
                 rest.remove_prefix(length);
                 rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
                 length = 0;
             }
+        }
+    }
+
+    void addLibrary(std::string name) {
+        constexpr std::size_t kMostLibraries = 1000; // each is looked for in several places
+        if (libraries_.size() == kMostLibraries) {
+            file_.warn("there are more than " + std::to_string(libraries_.size()) +
+                       " material libraries; the others are not read");
+        } else if (libraryNames_.insert(name).second) {
+            libraries_.push_back(std::move(name));
         }
     }
 
@@ -404,7 +414,8 @@ class ObjReader {
     std::uint32_t material_ = kNoIndex; // into materialNames_
     std::vector<std::string> materialNames_;
     std::unordered_map<std::string, std::uint32_t> materialIndices_;
-    std::vector<std::string> libraries_;
+    std::vector<std::string> libraries_; // each once
+    std::unordered_set<std::string> libraryNames_;
 
     std::uint64_t lines_ = 0;
     std::uint64_t points_ = 0;
