@@ -65,6 +65,23 @@ TEST(GcdLattice, dividesByWhatAllPlanesOfAnAxisShare) {
     EXPECT_EQ(gcd.lattice.origin, sixteenQuanta().origin);
 }
 
+// A cell is never smaller than its quanta, whichever way single precision rounds.
+TEST(GcdLattice, hasCellsAtLeastAsLargeAsTheirQuanta) {
+    for (const double quantum : {1.0, 0.9, 0.7, 0.3}) {
+        Scene scene;
+        addTriangle(scene, {0, 0, 0}, {16, 16, 0}, {0, 16, 16});
+        const Lattice quanta = quantaOf(scene, quantum);
+        for (const double plane : {3.0, 5.0, 6.0, 7.0, 9.0, 10.0, 11.0, 13.0}) {
+            const GcdLattice gcd = makeGcdLattice(quanta, {{{0, plane, 2}, kLeaf, kLeaf}, 1});
+            ASSERT_EQ(gcd.rounding.quantaPerCell.x, static_cast<std::uint32_t>(plane));
+            // Both products are exact.
+            EXPECT_LE(static_cast<double>(gcd.lattice.cellsPerUnit.x) * plane,
+                      static_cast<double>(quanta.cellsPerUnit.x))
+                << quantum << ' ' << plane;
+        }
+    }
+}
+
 // A plane that is rounded to a face of its node splits nothing and must not affect the divisor.
 TEST(GcdLattice, leavesPlanesOutThatVanish) {
     const SplitPlan atTheBox{{{0, 0.3, 2}, kLeaf, {0, 15.8, 4}, kLeaf, kLeaf}, 2};

@@ -194,6 +194,30 @@ TEST_P(Structures, ropesLeadToTheNeighbours) {
     }
 }
 
+// No child of a rope's node holds all that is behind the face: the face's first and last cell are in
+// different ones.
+TEST_P(Structures, ropesLeadToTheSmallestNode) {
+    const KdTree& tree = structure.tree;
+    const std::vector<std::uint32_t>& ropes = structures.kdRopes();
+    for (std::uint32_t leafId = 0; leafId < tree.leaves.size(); ++leafId) {
+        const ivec3 lo = unpackCell(tree.leaves[leafId].lo);
+        const ivec3 hi = unpackCell(tree.leaves[leafId].hi);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int outside : {lo[axis] - 1, hi[axis]}) {
+                ivec3 first = lo;
+                ivec3 last = hi - 1;
+                first[axis] = outside;
+                last[axis] = outside;
+                const std::uint32_t nodeId = ropes[ropeTowards(leafId, first, lo, hi)];
+                if (nodeId != kNoRope && !isLeaf(tree.nodes[nodeId])) {
+                    ASSERT_NE(childWithCell(nodeId, tree.nodes[nodeId], first),
+                              childWithCell(nodeId, tree.nodes[nodeId], last));
+                }
+            }
+        }
+    }
+}
+
 TEST_P(Structures, parentsHoldTheirChildren) {
     const KdTree& tree = structure.tree;
     const std::vector<KdParent>& parents = structures.kdParents();
