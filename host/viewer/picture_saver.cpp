@@ -16,7 +16,7 @@ namespace {
 
 std::string freeName(const std::string& stem, const std::string& ending) {
     for (int number = 1;; ++number) {
-        const std::string name = fmt::format("{}_{:03}{}", stem, number, ending);
+        std::string name = fmt::format("{}_{:03}{}", stem, number, ending);
         if (!std::filesystem::exists(name)) {
             return name;
         }

@@ -9,7 +9,7 @@ SHARED_BEGIN
 // Clamps to [0, 1] and rounds to the nearest of 256 values. NaN becomes 0.
 SHARED_FN uint toLinear8(const float value) {
     const float inside = value > 0.0f ? min(value, 1.0f) : 0.0f;
-    return uint(inside * 255.0f + 0.5f);
+    return uint(inside * 255.0f + 0.5f); // NOLINT(bugprone-incorrect-roundings): GLSL has no lround
 }
 
 // The sRGB curve of IEC 61966-2-1.

@@ -68,8 +68,10 @@ struct MaterialRecord {
 };
 
 // The number of rows in a MaterialRecord; a row has four words.
+// NOLINTBEGIN(bugprone-macro-parentheses): the terms of a sum
 #define MATERIAL_ROW(condition, X, Y, Z, W) +1u
 #define MATERIAL_VECTOR_ROW(condition, XYZ, W) +1u
+// NOLINTEND(bugprone-macro-parentheses)
 const uint kMaterialRows = 0u
 #include "material_rows.inc"
     ;
@@ -130,7 +132,7 @@ SHARED_ASSERT_OFFSET(Surface, material, 12)
 SHARED_ASSERT_SIZE(Vertex, 32)
 SHARED_ASSERT_OFFSET(Vertex, u0, 12)
 SHARED_ASSERT_OFFSET(Vertex, v0, 16)
-SHARED_ASSERT_SIZE(MaterialRecord, 16 * kMaterialRows)
+SHARED_ASSERT_SIZE(MaterialRecord, std::size_t{16} * kMaterialRows)
 SHARED_ASSERT_SIZE(TextureUse, 32)
 SHARED_ASSERT_OFFSET(TextureUse, unitLevel, 12)
 SHARED_ASSERT_OFFSET(TextureUse, rowV, 16)
