@@ -23,6 +23,9 @@ std::filesystem::path GltfFile::write(const std::string& name) {
 std::string GltfFile::refusal() { return refusalOf(write()); }
 
 void writeFile(const std::filesystem::path& path, const std::string& content) {
+    // A new file: ext4 writes one that is emptied and written again to the disk at once, which takes
+    // milliseconds.
+    std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << content;
 }
 
