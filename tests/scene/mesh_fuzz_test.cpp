@@ -71,6 +71,11 @@ std::string binaryStl() {
     return "solid COLOR=abcd" + std::string(64, ' ') + body.text();
 }
 
+// Reads the library that is changed.
+const std::string kObjOfMtl =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 "
+    "2/2 3/3\nusemtl n\nf 1/1 2/2 3/3\n";
+
 struct Format {
     std::string ending;
     std::vector<std::string> files; // small ones, which together have everything that the reader knows
@@ -108,6 +113,26 @@ std::vector<Format> formats() {
           "0 0 1 "
           "endloop endfacet\nendsolid\n",
           binaryStl()}},
+        {".obj",
+         {"# a\nmtllib a.mtl\no a\nv 0 0 0\nv 1 0 0 1\nv 1 1 0 0.5 0.5 0\nv 0 1 0 1 1 1 0.5\nv .5 .5 .0\nvt "
+          "0 0\n"
+          "vt 1 0 0\nvn 0 0 1\ng b c\nusemtl m # n\ns 1\nf 1/1/1 2/2/1 3/1/1 4/2/1\nf 1//1 5//1 2//1 3//1 "
+          "4//1\n"
+          "usemtl n\nf -5 -4 -3 -2 \\\n-1\nf 1/1 2/2 3/1\nl 1 2\np 1\nvp 0 1\ncurv 0 1 1 2\n",
+          "v 0 0 0\rv 4 0 0\rv 4 4 0\rv 2 2 0\rv 0 4 0\rv 2 2 0\rf 1 2 3 4 5 6\rf 1 3 5 2 4\rf 1 2 3 4 5 "
+          "4\r"}},
+        {".mtl",
+         {"# a\nnewmtl m\nKa 1 1 1\nKd 0.5 0.5 0.5\nKs 0.5\nNs 10\nKe 0 0 1\nd 0.5\nillum 2\nmap_Kd -s 2 2 1 "
+          "-o "
+          "0.5 -clamp on t.png\nmap_d -imfchan g t.png\nbump -bm 0.5 t.png\nnewmtl n\nTr 0.5\nNi 1.5\nillum "
+          "7\n"
+          "norm t.png\n",
+          "# Meshlab\r\nnewmtl m\r\nTr 1\r\nPr 0.5\r\nPm 1\r\nPs 0.5\r\nPc 1\r\nPcr 0.1\r\naniso "
+          "0.5\r\nanisor "
+          "0.5\r\nmap_Pr -mm 0 0.5 t.png\r\nmap_Pm .\\t.png\r\nmap_Ps t.png\r\nmap_Pc t.png\r\nmap_Bump "
+          "-imfchan l "
+          "t.png\r\nnewmtl n\r\nKd spectral a 1\r\nmap_Ke -blendu off -t 1 1 1 \"t.png\"\r\nmap_Ks t.png # "
+          "a\r\n"}},
     };
 }
 
@@ -220,6 +245,12 @@ class Mutator {
                                                         "\n",
                                                         "\r",
                                                         "\\\n",
+                                                        "f ",
+                                                        "usemtl m",
+                                                        "newmtl m\n",
+                                                        "-s ",
+                                                        "-",
+                                                        "/",
                                                         "solid ",
                                                         "endsolid ",
                                                         "facet ",
@@ -260,11 +291,14 @@ std::uint64_t environment(const char* name, std::uint64_t otherwise) {
 class MeshFuzz : public testing::TestWithParam<Format> {};
 
 TEST_P(MeshFuzz, ReturnsAValidSceneOrThrowsAnError) {
-    constexpr std::uint64_t kFilesOfAShortRun = 4000;
+    constexpr std::uint64_t kFilesOfAShortRun = 1500;
     const auto seconds = std::chrono::seconds(environment("METAMARCH_FUZZ_SECONDS", 0));
     const auto begin = std::chrono::steady_clock::now();
     const TemporaryFolder folder;
     const std::filesystem::path path = folder / ("a" + GetParam().ending);
+    writeFile(folder / "a.obj", kObjOfMtl);
+    writeFile(folder / "a.mtl", "newmtl m\nmap_Kd t.png\n");
+    const std::filesystem::path read = GetParam().ending == ".mtl" ? folder / "a.obj" : path;
     Mutator mutator(GetParam().files, environment("METAMARCH_FUZZ_SEED", 1));
     std::uint64_t tried = 0;
     std::uint64_t accepted = 0;
@@ -274,7 +308,7 @@ TEST_P(MeshFuzz, ReturnsAValidSceneOrThrowsAnError) {
         const std::size_t before = bytesInUse();
         watchMemory();
         try {
-            expectValid(loadScene(path, {.allowMissingTextures = true}));
+            expectValid(loadScene(read, {.allowMissingTextures = true}));
             ++accepted;
         } catch (const Error& error) {
             EXPECT_EQ(error.kind, ErrorKind::inputRefused) << error.what();

@@ -151,7 +151,9 @@ TEST_F(Obj, SeveralLibraries) {
     writeFile(folder / "b.MTL", "newmtl y\nKd 1 0 0\n");
     EXPECT_EQ(color("mtllib a.mtl\nmtllib .\\b.MTL\nmtllib ./a.mtl\n" + kVertices + "usemtl y\nf 1 2 3 4\n"),
               kRed);
-    EXPECT_EQ(load("mtllib a.mtl b.MTL a.mtl\n" + kSquare).materials.size(), 2u);
+    const std::string both = kVertices + "usemtl y\nf 1 2 3\nusemtl x\nf 1 3 4\n";
+    EXPECT_EQ(load("mtllib a.mtl b.MTL a.mtl\n" + both).materials.size(), 2u);
+    EXPECT_TRUE(load("mtllib a.mtl b.MTL\n" + kSquare).materials.empty()); // no face uses one
     // By the last part of a name from another machine, and by the OBJ's name.
     EXPECT_EQ(color("mtllib C:\\Users\\me\\b.MTL\n" + kVertices + "usemtl y\nf 1 2 3 4\n"), kRed);
     const std::string renamed = "mtllib old.mtl\n" + kVertices + "usemtl x\nf 1 2 3 4\n";

@@ -42,8 +42,11 @@ std::string companionName(const InputFile& file, const std::string& from, std::s
             tried.push_back((folder / last).generic_string());
             tried.push_back(last);
         }
-        const auto found = std::ranges::find_if(
-            tried, [&](const std::string& each) { return file.whyNotReadable(each).empty(); });
+        const auto found = std::ranges::find_if(tried, [&](const std::string& each) {
+            std::error_code failure;
+            return std::filesystem::exists(file.companion(each), failure) &&
+                   file.whyNotReadable(each).empty();
+        });
         if (found != tried.end()) {
             return std::filesystem::path(*found).lexically_normal().generic_string();
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/mtl_material.h"
 
+#include "metamarch/scene/mesh/companion_name.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -122,7 +124,7 @@ void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
 
 void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
     if (source.diffuseMap.isGiven()) {
-        TextureSource image = fileSource(file_, source.diffuseMap.name);
+        TextureSource image = sourceOf(source.diffuseMap);
         if (source.opacityMap.isGiven()) {
             image.overlays.push_back(overlayOf(source.opacityMap, kAlpha));
             warnUnlessSameUse(source, source.opacityMap, source.diffuseMap);
@@ -132,11 +134,10 @@ void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
         material.baseColorTexture = add(source.opacityMap, greySource(source.opacityMap, {kAlpha}), false);
     }
     if (source.specularMap.isGiven() && material.specularFactor > 0.0f) {
-        material.specularColorTexture =
-            add(source.specularMap, fileSource(file_, source.specularMap.name), true);
+        material.specularColorTexture = add(source.specularMap, sourceOf(source.specularMap), true);
     }
     if (source.emissionMap.isGiven()) {
-        material.emissiveTexture = add(source.emissionMap, fileSource(file_, source.emissionMap.name), true);
+        material.emissiveTexture = add(source.emissionMap, sourceOf(source.emissionMap), true);
     }
 }
 
@@ -167,15 +168,15 @@ void MtlTextures::readPhysicalMaps(const MtlMaterial& source, Material& material
 
 void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) {
     if (source.normalMap.isGiven()) {
-        material.normalTexture = add(source.normalMap, fileSource(file_, source.normalMap.name), false);
+        material.normalTexture = add(source.normalMap, sourceOf(source.normalMap), false);
         material.normalScale = source.normalMap.bumpMultiplier;
         if (source.bumpMap.isGiven()) {
             file_.warn("material '" + source.name +
                        "': the bump map is not rendered where there is a normal map");
         }
     } else if (source.bumpMap.isGiven()) {
-        TextureSource image = source.bumpMap.channel == '\0' ? fileSource(file_, source.bumpMap.name)
-                                                             : greySource(source.bumpMap, {0, 1, 2});
+        TextureSource image =
+            source.bumpMap.channel == '\0' ? sourceOf(source.bumpMap) : greySource(source.bumpMap, {0, 1, 2});
         image.isHeight = true;
         material.normalTexture = add(source.bumpMap, std::move(image), false);
         material.normalScale = source.bumpMap.bumpMultiplier * source.bumpMap.gain;
@@ -190,15 +191,19 @@ void MtlTextures::warnUnlessSameUse(const MtlMaterial& source, const MtlMap& map
     }
 }
 
+TextureSource MtlTextures::sourceOf(const MtlMap& map) const {
+    return fileSource(file_, companionName(file_, map.folder, map.name));
+}
+
 // A mask is the alpha of its picture where it has one.
 TextureOverlay MtlTextures::overlayOf(const MtlMap& map, int channel) const {
     const int byItself = channel == kAlpha ? TextureOverlay::kAlphaOrRed : 0;
-    return {fileSource(file_, map.name), channel, channelOf(map.channel).value_or(byItself)};
+    return {sourceOf(map), channel, channelOf(map.channel).value_or(byItself)};
 }
 
 // A white picture whose `channels` are the map.
 TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<int> channels) const {
-    TextureSource image = fileSource(file_, map.name);
+    TextureSource image = sourceOf(map);
     image.read = nullptr;
     for (const int channel : channels) {
         image.overlays.push_back(overlayOf(map, channel));

@@ -47,6 +47,7 @@ class MtlTextures {
     void readPhysicalMaps(const MtlMaterial& source, Material& material);
     void readNormalMaps(const MtlMaterial& source, Material& material);
     void warnUnlessSameUse(const MtlMaterial& source, const MtlMap& map, const MtlMap& shared);
+    TextureSource sourceOf(const MtlMap& map) const;
     TextureOverlay overlayOf(const MtlMap& map, int channel) const;
     TextureSource greySource(const MtlMap& map, std::initializer_list<int> channels) const;
     TextureRef add(const MtlMap& map, TextureSource source, bool isSrgb);

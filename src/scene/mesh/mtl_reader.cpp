@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/mesh/mtl_reader.h"
 
-#include "metamarch/scene/mesh/companion_name.h"
 #include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/mesh/text_scanner.h"
 
@@ -123,7 +122,8 @@ class LibraryReader {
         : file_(file), name_(name), folder_(std::filesystem::path(name).parent_path().generic_string()),
           scanner_(text) {}
 
-    // Calls material(name) for each newmtl; it returns the material that the lines after it describe.
+    // Calls material(name) for each newmtl; it returns the material that the lines after it describe, or null
+    // to skip these.
     template <class Named>
     void read(const Named& material) {
         MtlMaterial* current = nullptr;
@@ -133,8 +133,10 @@ class LibraryReader {
             if (keyword.starts_with('#')) {
                 isByMeshLab_ = isByMeshLab_ || lowerCase(rest).find("meshlab") != std::string::npos;
             } else if (lowerCase(keyword) == "newmtl") {
-                current = &material(rest);
-                current->isByMeshLab = isByMeshLab_;
+                current = material(rest);
+                if (current != nullptr) {
+                    current->isByMeshLab = isByMeshLab_;
+                }
             } else if (current != nullptr && !keyword.empty()) {
                 readLine(*current, keyword, rest);
             }
@@ -224,7 +226,8 @@ class LibraryReader {
         if (rest.empty()) {
             return; // some programs write the keyword of every map
         }
-        read.name = companionName(file_, folder_, rest);
+        read.name = rest;
+        read.folder = folder_;
         map = read;
     }
 
@@ -320,19 +323,22 @@ class LibraryReader {
 
 } // namespace
 
+void MtlMaterials::want(std::string_view name) { wanted_.emplace(withoutComment(name)); }
+
 void MtlMaterials::read(InputFile& file, const std::string& name, std::string_view text) {
-    LibraryReader(file, name, text).read([this](std::string_view material) -> MtlMaterial& {
-        return named(material);
-    });
+    LibraryReader(file, name, text).read([this](std::string_view material) { return wanted(material); });
 }
 
-MtlMaterial& MtlMaterials::named(std::string_view name) {
+MtlMaterial* MtlMaterials::wanted(std::string_view name) {
     const std::string key(withoutComment(name));
+    if (!wanted_.contains(key)) {
+        return nullptr;
+    }
     const auto [found, isNew] = indices_.try_emplace(key, static_cast<std::uint32_t>(materials_.size()));
     if (isNew) {
         materials_.emplace_back().name = key;
     }
-    return materials_[found->second];
+    return &materials_[found->second];
 }
 
 std::optional<std::uint32_t> MtlMaterials::find(std::string_view name) const {

@@ -10,13 +10,15 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace metamarch {
 
 // The use of a picture by a material. The options are those that are rendered; the reader warns of others.
 struct MtlMap {
-    std::string name; // relative to the OBJ's folder; empty: no map
+    std::string name;   // as the file has it, without blanks around it; empty: no map
+    std::string folder; // of the library, relative to the OBJ's
     // -s and -o: the map is looked up at scale * (u, v) + offset, v up (as Blender and three.js do)
     glm::vec2 scale{1.0f};
     glm::vec2 offset{0.0f};
@@ -61,9 +63,12 @@ struct MtlMaterial {
     MtlMap bumpMap;               // bump, map_bump
 };
 
-// The materials of all libraries that an OBJ names.
+// The materials that an OBJ uses, of all libraries that it names.
 class MtlMaterials {
   public:
+    // Announces a material that faces use; a comment may follow `name`. Only such materials are read.
+    void want(std::string_view name);
+
     // Reads a library that lies in the folder of `file` or below it; `name` is relative to that folder. Skips
     // with a warning what is not known, not rendered or no number. A material that is there already takes the
     // numbers and maps of one with the same name.
@@ -75,8 +80,9 @@ class MtlMaterials {
     std::optional<std::uint32_t> find(std::string_view name) const;
 
   private:
-    MtlMaterial& named(std::string_view name);
+    MtlMaterial* wanted(std::string_view name); // null if it is not
 
+    std::unordered_set<std::string> wanted_;
     std::vector<MtlMaterial> materials_;
     std::unordered_map<std::string, std::uint32_t> indices_; // by name
 };

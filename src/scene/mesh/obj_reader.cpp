@@ -305,6 +305,13 @@ class ObjReader {
 
     void readMaterials() {
         MtlMaterials library;
+        std::vector<bool> isUsed(materialNames_.size(), false);
+        for (const std::uint32_t material : mesh().faceMaterial) {
+            if (material != kNoIndex && !isUsed[material]) {
+                isUsed[material] = true;
+                library.want(materialNames_[material]);
+            }
+        }
         std::unordered_set<std::string> seen;
         for (const std::string& name : libraries_) {
             readLibrary(library, seen, name);
@@ -317,10 +324,11 @@ class ObjReader {
 
         std::vector<std::uint32_t> materialOf; // indexed like materialNames_
         NameList missing;
-        for (const std::string& name : materialNames_) {
+        for (std::size_t i = 0; i < materialNames_.size(); ++i) {
+            const std::string& name = materialNames_[i];
             const std::optional<std::uint32_t> found = library.find(name);
             materialOf.push_back(found.value_or(kNoIndex));
-            if (!found && !name.empty()) {
+            if (!found && isUsed[i] && !name.empty()) {
                 missing.add(name);
             }
         }
