@@ -79,7 +79,7 @@ TEST_F(Obj, Indices) {
     EXPECT_EQ(area(kVertices + "fo 1 2 3 4\n"), 4.0);
     EXPECT_EQ(refusal(kVertices + "f 0 1 2\n"), "line 5: vertex index 0: indices count from 1");
     EXPECT_EQ(refusal(kVertices + "f 1 2 3\nf 1 2 -5\nv 0 0 0\n"),
-              "line 6: vertex index -5 is out of range, there are 5");
+              "line 6: vertex index -5 is out of range, there are 4 before it");
     EXPECT_EQ(refusal(kVertices + "f 1 2 4294967297\n"),
               "line 5: vertex index 4294967297 is out of range, there are 4");
     EXPECT_EQ(refusal(kVertices + "vt 0 0\nf 1/1 2/1 3/2\n"),
@@ -102,6 +102,12 @@ TEST_F(Obj, IndicesOfWhatIsNotThereAreIgnored) {
         areaOf(load(kVertices + "f 1//-1 2//0 3//9 4\n",
                     {"faces have indices of normals, but there are none in the file; they are ignored"})),
         4.0);
+}
+
+TEST_F(Obj, WhatNoFaceUsesIsLeftOut) {
+    const Scene scene = load("vt 1 1\nvn 0 1 0\n" + kSquare);
+    EXPECT_EQ(scene.positions.size(), 4u);
+    EXPECT_EQ(scene.normals.at(0), glm::vec3(0.0f));
 }
 
 TEST_F(Obj, CornersMayHaveNoNormal) {
@@ -142,6 +148,7 @@ TEST_F(Obj, NamesHaveBlanks) {
     EXPECT_EQ(color(libraries + "usemtl blue # not red\nf 1 2 3 4\n"), glm::vec3(0, 0, 1));
     EXPECT_EQ(color("mtllib \"my colours.mtl\" \"more.mtl\"\n" + kVertices + "usemtl blue\nf 1 2 3 4\n"),
               glm::vec3(0, 0, 1));
+    EXPECT_EQ(color("mtllib my colours.mtl # mine\n" + kVertices + "usemtl dark red\nf 1 2 3 4\n"), kRed);
     const Scene scene = load("o left hand \n" + kSquare);
     EXPECT_EQ(scene.meshes.at(0).name, "left hand");
 }

@@ -220,7 +220,7 @@ class ObjReader {
         if (isHopeless || index >= size) {
             std::optional<Worst>& worst = worst_[kind];
             if (!worst || (!worst->isHopeless && (isHopeless || index > worst->index))) {
-                worst = {index, isHopeless, *number, scanner_.lineNumber()};
+                worst = {index, isHopeless, *number, count, scanner_.lineNumber()};
             }
         }
         return isHopeless ? kNoIndex : static_cast<std::uint32_t>(index);
@@ -228,29 +228,33 @@ class ObjReader {
 
     void finishIndices() {
         checkIndices(kPosition, mesh().positions.size());
-        finishAttribute(kTexCoord, mesh().texCoords.size(), mesh().cornerTexCoord);
-        finishAttribute(kNormal, mesh().normals.size(), mesh().cornerNormal);
+        finishAttribute(kTexCoord, mesh().texCoords, mesh().cornerTexCoord);
+        finishAttribute(kNormal, mesh().normals, mesh().cornerNormal);
     }
 
-    // Some programs write indices of what they do not write.
-    void finishAttribute(Kind kind, std::size_t count, std::vector<std::uint32_t>& corners) {
-        if (count > 0) {
-            checkIndices(kind, count);
+    // Some programs write indices of what they do not write, or what no face uses.
+    template <class T>
+    void finishAttribute(Kind kind, std::vector<T>& values, std::vector<std::uint32_t>& corners) {
+        if (isUsed_[kind] && !values.empty()) {
+            checkIndices(kind, values.size());
             return;
         }
         if (isUsed_[kind]) {
             file_.warn(std::string("faces have indices of ") + kKindNames[kind] +
                        "s, but there are none in the file; they are ignored");
         }
+        values.clear();
         corners.clear();
     }
 
     void checkIndices(Kind kind, std::size_t count) const {
         const std::optional<Worst>& worst = worst_[kind];
         if (worst && (worst->isHopeless || worst->index >= static_cast<std::int64_t>(count))) {
-            const std::string range = worst->number == 0
-                                          ? ": indices count from 1"
-                                          : " is out of range, there are " + std::to_string(count);
+            const std::string range =
+                worst->number == 0 ? ": indices count from 1"
+                : worst->number < 0
+                    ? " is out of range, there are " + std::to_string(worst->count) + " before it"
+                    : " is out of range, there are " + std::to_string(count);
             refuseAt(worst->line,
                      std::string(kKindNames[kind]) + " index " + std::to_string(worst->number) + range);
         }
@@ -275,7 +279,7 @@ class ObjReader {
     // that ends in .mtl.
     void addLibraries(std::string_view rest) {
         std::size_t length = 0; // of the name so far
-        while (!rest.empty()) {
+        while (!rest.empty() && !(length == 0 && rest.starts_with('#'))) {
             length = std::min(rest.find_first_of(" \t", rest.find_first_not_of(" \t", length)), rest.size());
             if (length == rest.size() || endsName(rest.substr(0, length))) {
                 addLibrary(std::string(rest.substr(0, length)));
@@ -405,6 +409,7 @@ class ObjReader {
         std::int64_t index;  // from 0
         bool isHopeless;     // what follows can't bring it into range
         std::int64_t number; // as the file has it
+        std::size_t count;   // of what could be named when it was read
         std::uint64_t line;
     };
 
