@@ -39,27 +39,59 @@ struct Medium {
     dvec3 extinction;
 };
 
+// Where a height lies between the rows of the table of transmittances.
+struct TableRow {
+    int index;
+    double part; // of the way to the next row
+    double horizon;
+};
+
 class Atmosphere {
   public:
-    explicit Atmosphere(double haze);
+    // transmittance() is asked for cosines of [least, most] alone.
+    Atmosphere(double haze, double leastCosine, double mostCosine);
 
+    Medium mediumAt(double height) const;
+
+    TableRow rowOf(double height) const;
     // Returns the transmittance from a height above the ground to space, for this cosine to the vertical; 0
     // if the ground is in the way.
-    dvec3 transmittance(double height, double cosine) const;
-    // Returns the radiance that arrives at `position` (relative to the earth's centre) by scattering along
-    // `direction`.
-    dvec3 scattered(const dvec3& position, const dvec3& direction, const dvec3& sun) const;
+    dvec3 transmittance(const TableRow& row, double cosine) const;
 
   private:
     static constexpr int kHeights = 64;
     static constexpr int kAngles = 256;
 
-    Medium mediumAt(double height) const;
+    static double columnOf(double horizon, double cosine);
     dvec3 marchedTransmittance(double height, double cosine) const;
 
     double haze_;
     // Indexed by [height][angle]; both are denser where the value changes faster.
     std::vector<dvec3> transmittances_;
+};
+
+// The light that is scattered along all lines of sight of one elevation. What does not depend on their
+// azimuth is worked out once.
+class SightLines {
+  public:
+    // The eye is at kEyeHeight above the ground; `polar` is the angle to the vertical.
+    SightLines(const Atmosphere& atmosphere, double polar, const dvec3& sun);
+
+    // Returns the radiance that arrives along the line with this cosine to the sun.
+    dvec3 scattered(double sunCosine) const;
+
+  private:
+    struct Step {
+        double distance; // from the eye to the middle of the step
+        double radius;   // there, from the earth's centre
+        TableRow row;
+        dvec3 rayleigh; // part of the sunlight there that reaches the eye, but for the phase function
+        dvec3 mie;
+    };
+
+    const Atmosphere& atmosphere_;
+    double eyeToSun_; // length, along the direction to the sun
+    std::vector<Step> steps_;
 };
 
 // Returns the cosine, relative to the vertical, of the horizon seen from a height; it is negative.
@@ -100,11 +132,23 @@ dvec3 Atmosphere::marchedTransmittance(double height, double cosine) const {
     return glm::exp(-depth);
 }
 
-Atmosphere::Atmosphere(double haze) : haze_(haze), transmittances_(std::size_t{kHeights} * kAngles) {
+double Atmosphere::columnOf(const double horizon, const double cosine) {
+    return std::sqrt(std::max(cosine - horizon, 0.0) / (1.0 - horizon)) * (kAngles - 1);
+}
+
+// Only the columns that are asked for are computed: the sun is seen from all of the visible air at nearly the
+// same angle.
+Atmosphere::Atmosphere(const double haze, const double leastCosine, const double mostCosine)
+    : haze_(haze), transmittances_(std::size_t{kHeights} * kAngles) {
     tbb::parallel_for(0, kHeights, [&](int row) {
         const double height = kAtmosphereHeight * std::pow(row / (kHeights - 1.0), 2.0);
         const double horizon = horizonCosine(height);
-        for (int column = 0; column < kAngles; ++column) {
+        // A height between two rows has a horizon between theirs, so another column next to these may be
+        // read.
+        constexpr int kBeside = 8;
+        const int first = std::max(static_cast<int>(columnOf(horizon, leastCosine)) - kBeside, 0);
+        const int last = std::min(static_cast<int>(columnOf(horizon, mostCosine)) + kBeside, kAngles - 1);
+        for (int column = first; column <= last; ++column) {
             const double above = std::pow(column / (kAngles - 1.0), 2.0);
             transmittances_[static_cast<std::size_t>(row * kAngles + column)] =
                 marchedTransmittance(height, horizon + (1.0 - horizon) * above);
@@ -112,62 +156,82 @@ Atmosphere::Atmosphere(double haze) : haze_(haze), transmittances_(std::size_t{k
     });
 }
 
-dvec3 Atmosphere::transmittance(double height, double cosine) const {
-    const double horizon = horizonCosine(height);
-    if (cosine < horizon) {
-        return dvec3(0.0);
-    }
+TableRow Atmosphere::rowOf(const double height) const {
     const double row = std::sqrt(std::min(height / kAtmosphereHeight, 1.0)) * (kHeights - 1);
-    const double column = std::sqrt((cosine - horizon) / (1.0 - horizon)) * (kAngles - 1);
-    const int y = std::min(static_cast<int>(row), kHeights - 2);
-    const int x = std::min(static_cast<int>(column), kAngles - 2);
-    const dvec3* corner = &transmittances_[static_cast<std::size_t>(y * kAngles + x)];
-    const dvec3 lower = glm::mix(corner[0], corner[1], column - x);
-    const dvec3 upper = glm::mix(corner[kAngles], corner[kAngles + 1], column - x);
-    return glm::mix(lower, upper, row - y);
+    const int index = std::min(static_cast<int>(row), kHeights - 2);
+    return {index, row - index, horizonCosine(height)};
 }
 
-dvec3 Atmosphere::scattered(const dvec3& position, const dvec3& direction, const dvec3& sun) const {
-    const double cosine = glm::dot(direction, sun);
-    const double rayleighPhase = 3.0 / (16.0 * M_PI) * (1.0 + cosine * cosine);
-    // W. Cornette, J. Shanks, "Physically Reasonable Analytic Expression for the Single-Scattering Phase
-    // Function", 1992.
-    const double g = kMieAsymmetry;
-    const double miePhase = 3.0 / (8.0 * M_PI) * (1.0 - g * g) * (1.0 + cosine * cosine) /
-                            ((2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
-    const double reach = distanceToSphere(position, direction, kTopRadius).value_or(0.0);
-    dvec3 radiance(0.0);
+dvec3 Atmosphere::transmittance(const TableRow& row, const double cosine) const {
+    if (cosine < row.horizon) {
+        return dvec3(0.0);
+    }
+    const double column = columnOf(row.horizon, cosine);
+    const int x = std::min(static_cast<int>(column), kAngles - 2);
+    const dvec3* corner = &transmittances_[static_cast<std::size_t>(row.index * kAngles + x)];
+    const dvec3 lower = glm::mix(corner[0], corner[1], column - x);
+    const dvec3 upper = glm::mix(corner[kAngles], corner[kAngles + 1], column - x);
+    return glm::mix(lower, upper, row.part);
+}
+
+SightLines::SightLines(const Atmosphere& atmosphere, const double polar, const dvec3& sun)
+    : atmosphere_(atmosphere), eyeToSun_((kGroundRadius + kEyeHeight) * sun.y), steps_(kSteps) {
+    const dvec3 eye(0.0, kGroundRadius + kEyeHeight, 0.0);
+    const dvec3 direction(std::sin(polar), std::cos(polar), 0.0);
+    const double reach = distanceToSphere(eye, direction, kTopRadius).value_or(0.0);
     dvec3 passed(1.0);
     double start = 0.0;
     for (int i = 0; i < kSteps; ++i) {
         // The first steps are short, because the air is dense there.
         const double part = (i + 1.0) / kSteps;
         const double end = reach * part * part;
-        const double step = end - start;
-        const dvec3 here = position + direction * (start + 0.5 * step);
+        const double length = end - start;
+        Step& step = steps_[static_cast<std::size_t>(i)];
+        step.distance = start + 0.5 * length;
+        const dvec3 here = eye + direction * step.distance;
         const double height = heightOf(here);
-        const Medium medium = mediumAt(height);
-        const dvec3 through = glm::exp(-medium.extinction * step);
-        const dvec3 source =
-            (kRayleigh * (medium.rayleigh * rayleighPhase) + dvec3(kMieScattering * medium.mie * miePhase)) *
-            transmittance(height, glm::dot(here, sun) / glm::length(here));
-        // The integral of the source over the step, with the extinction within the step.
-        radiance += passed * source * (dvec3(1.0) - through) / medium.extinction;
+        const Medium medium = atmosphere.mediumAt(height);
+        const dvec3 through = glm::exp(-medium.extinction * length);
+        // The integral over the step of the light scattered there, with the extinction within the step.
+        const dvec3 arriving = passed * (dvec3(1.0) - through) / medium.extinction * kSunIrradiance;
+        step.radius = glm::length(here);
+        step.row = atmosphere.rowOf(height);
+        step.rayleigh = arriving * kRayleigh * medium.rayleigh;
+        step.mie = arriving * (kMieScattering * medium.mie);
         passed *= through;
         start = end;
     }
-    return radiance * kSunIrradiance;
+}
+
+dvec3 SightLines::scattered(const double sunCosine) const {
+    const double rayleighPhase = 3.0 / (16.0 * M_PI) * (1.0 + sunCosine * sunCosine);
+    // W. Cornette, J. Shanks, "Physically Reasonable Analytic Expression for the Single-Scattering Phase
+    // Function", 1992.
+    const double g = kMieAsymmetry;
+    const double miePhase = 3.0 / (8.0 * M_PI) * (1.0 - g * g) * (1.0 + sunCosine * sunCosine) /
+                            ((2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * sunCosine, 1.5));
+    dvec3 radiance(0.0);
+    for (const Step& step : steps_) {
+        const double cosine = (eyeToSun_ + step.distance * sunCosine) / step.radius;
+        radiance += (step.rayleigh * rayleighPhase + step.mie * miePhase) *
+                    atmosphere_.transmittance(step.row, cosine);
+    }
+    return radiance;
 }
 
 } // namespace
 
 Sky makeSky(const SkySettings& settings) {
-    const Atmosphere atmosphere(settings.haze);
-    const dvec3 eye(0.0, kGroundRadius + kEyeHeight, 0.0);
     const double level = std::cos(settings.sunElevation);
     const dvec3 sun(level * std::cos(settings.sunAzimuth), std::sin(settings.sunElevation),
                     level * std::sin(settings.sunAzimuth));
-    const dvec3 sunlight = atmosphere.transmittance(kEyeHeight, sun.y) * kSunIrradiance;
+    // Where a line of sight leaves the air, the vertical has turned by this angle at most.
+    const double turned =
+        std::acos(kGroundRadius / kTopRadius) + std::acos(kGroundRadius / (kGroundRadius + kEyeHeight));
+    const double zenith = M_PI / 2.0 - settings.sunElevation;
+    const Atmosphere atmosphere(settings.haze, std::cos(std::min(zenith + turned, M_PI)),
+                                std::cos(std::max(zenith - turned, 0.0)));
+    const dvec3 sunlight = atmosphere.transmittance(atmosphere.rowOf(kEyeHeight), sun.y) * kSunIrradiance;
 
     Sky sky;
     Environment& map = sky.environment;
@@ -178,12 +242,13 @@ Sky makeSky(const SkySettings& settings) {
     std::vector<dvec3> irradianceOfRow(skyRows, dvec3(0.0));
     tbb::parallel_for(std::uint32_t{0}, skyRows, [&](std::uint32_t y) {
         const double polar = M_PI * (y + 0.5) / map.height;
+        const SightLines lines(atmosphere, polar, sun);
         const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * std::sin(polar);
         for (std::uint32_t x = 0; x < map.width; ++x) {
             const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
             const dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                                   std::sin(polar) * std::sin(azimuth));
-            const dvec3 radiance = atmosphere.scattered(eye, direction, sun);
+            const dvec3 radiance = lines.scattered(glm::dot(direction, sun));
             map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiance);
             irradianceOfRow[y] += radiance * (texelArea * direction.y);
         }
