@@ -2,13 +2,16 @@
 #include "metamarch/bench/ray_file.h"
 
 #include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
-#include <fstream>
+#include <cstring>
+#include <optional>
 
 namespace metamarch::bench {
 namespace {
@@ -22,19 +25,24 @@ std::vector<FileRay> readAll(const std::filesystem::path& path) {
         throw Error(ErrorKind::inputRefused, fmt::format("{}: {}", path.string(), what));
     };
     std::error_code failure;
-    if (!std::filesystem::is_regular_file(path, failure)) {
+    const std::filesystem::file_status status = std::filesystem::status(path, failure);
+    if (failure && status.type() != std::filesystem::file_type::not_found) {
+        refuse(failure.message());
+    }
+    if (!std::filesystem::is_regular_file(status)) {
         refuse("no such file of rays");
     }
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
+    const std::optional<std::vector<unsigned char>> bytes = readBytes(path);
+    if (!bytes) {
+        refuse(fmt::format("cannot be read: {}", std::strerror(errno)));
+    }
+    const std::size_t size = bytes->size();
     if (size == 0 || size % sizeof(FileRay) != 0) {
         refuse(fmt::format("{} bytes are no whole number of rays; a ray is six float32, {} bytes", size,
                            sizeof(FileRay)));
     }
     std::vector<FileRay> rays(size / sizeof(FileRay));
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(reinterpret_cast<char*>(rays.data()), static_cast<std::streamsize>(size))) {
-        refuse("cannot be read");
-    }
+    std::memcpy(rays.data(), bytes->data(), size);
     return rays;
 }
 

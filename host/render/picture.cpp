@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/picture.h"
 
-#include "metamarch/file/input_file.h"
 #include "metamarch/image/film_image.h"
 #include "metamarch/image/image_file.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <ctime>
 
 namespace metamarch::render {
 namespace {
@@ -34,7 +36,10 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     add("metamarch/eye", point(origin.camera.eye));
     add("metamarch/forward", point(origin.camera.forward));
     add("metamarch/up", point(origin.camera.up));
-    add("metamarch/seconds", fmt::format("{:.3f}", result.seconds.render));
+    if (origin.isStamped) {
+        add(kDateTime, fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::localtime(std::time(nullptr))));
+        add("metamarch/seconds", fmt::format("{:.3f}", result.seconds.render));
+    }
 }
 
 // writeImage makes an opaque PNG if there is no channel A.
@@ -58,7 +63,7 @@ void writePicture(const RenderResult& result, const PictureOrigin& origin, const
                   const ToneMapping& toneMapping) {
     Image image = imageOf(result);
     addHeader(result, origin, image);
-    if (!result.settings.isPrimary() && lowerCaseEnding(path) == ".png") {
+    if (!result.settings.isPrimary() && pictureFormatOf(path) == PictureFormat::png) {
         renameAlpha(image);
     }
     writeImage(image, path, toneMapping);

@@ -19,11 +19,13 @@ struct PictureOrigin {
     std::string software;  // name and version
     std::string sceneFile; // as the user spells it
     SceneCamera camera;
-    std::string options{}; // the settings that are not the default, as command line options
+    std::string options{};  // the settings that are not the default, as command line options
+    bool isStamped = false; // the header also says when the picture was made and how long that took
 };
 
-// Writes imageOf(result) with a header that says how the picture was made. The path tracer's PNG is opaque,
-// because the path tracer draws the background too. Throws what writeImage throws.
+// Writes imageOf(result) with a header that says how the picture was made. Unless it is stamped, nothing in
+// the file depends on the clock. The path tracer's PNG is opaque, because the path tracer draws the
+// background too. Throws what writeImage throws.
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
                   const ToneMapping& toneMapping = {});
 

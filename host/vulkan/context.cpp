@@ -2,6 +2,8 @@
 #include "metamarch/vulkan/context.h"
 
 #include "metamarch/error/error.h"
+#include "metamarch/file/standard_stream.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +28,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL countMessage(VkDebugUtilsMessageSeverityFlagBitsE
     ++messageCount;
     std::string line = data->pMessage == nullptr ? "" : data->pMessage;
     std::replace(line.begin(), line.end(), '\n', ' ');
-    fmt::print(stderr, "validation: {}\n", line);
+    printError(fmt::format("validation: {}\n", line));
     return VK_FALSE; // lets the call continue
 }
 
@@ -47,6 +49,10 @@ bool validationWanted() {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
+    const std::string limit = addressLimitText();
+    if (!limit.empty()) { // a driver that is installed may be one that could not be loaded
+        throw Error(ErrorKind::outOfMemory, what + limit);
+    }
     throw Error(ErrorKind::noDevice,
                 what +
                     ": install a Vulkan driver (Debian: mesa-vulkan-drivers, which also runs without a GPU)");
@@ -117,7 +123,7 @@ vk::raii::Instance createInstance(const vk::raii::Context& loader,
     } catch (const vk::IncompatibleDriverError&) {
         refuse("no Vulkan driver");
     } catch (const vk::SystemError& error) {
-        refuse(fmt::format("no Vulkan instance ({})", error.what()));
+        throw refusalOf(error, "no Vulkan instance");
     }
 }
 
@@ -129,6 +135,8 @@ std::vector<vk::raii::PhysicalDevice> findPhysicalDevices(const vk::raii::Instan
         }
     } catch (const vk::InitializationFailedError&) {
         // Some loaders report in this way that there is no device.
+    } catch (const vk::SystemError& error) {
+        throw refusalOf(error, "no list of Vulkan devices");
     }
     refuse("no Vulkan device");
 }

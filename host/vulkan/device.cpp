@@ -48,6 +48,7 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
         chain.unlink<vk::PhysicalDeviceBufferDeviceAddressFeatures>();
     }
 
+    checkAddressLimit();
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, report.computeQueueFamily.value(), 1, &priority);
     chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(extensions);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/pipeline_cache.h"
 
+#include "metamarch/file/output_file.h"
+
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <span>
 #include <string>
 #include <system_error>
@@ -61,24 +62,15 @@ std::vector<uint8_t> readCache(const fs::path& file, const vk::PhysicalDevicePro
     return whole && isForDevice(data, properties) ? data : std::vector<uint8_t>();
 }
 
-// Writes to a temporary file and renames it: other processes see the old file or the new one, never a part of
-// one.
 void writeCache(const fs::path& file, std::span<const uint8_t> data) {
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
-    fs::path temporary = file;
-    temporary += fmt::format(".{:08x}", std::random_device{}());
-
     FileHeader header{{}, data.size(), hashOf(data)};
     std::memcpy(header.magic, kMagic, sizeof kMagic);
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(&header), sizeof header);
-    stream.write(reinterpret_cast<const char*>(data.data()), static_cast<std::streamsize>(data.size()));
-    stream.close();
-    if (stream) {
-        fs::rename(temporary, file, ignored);
-    }
-    fs::remove(temporary, ignored); // it still exists only if something failed
+    OutputFile output(file);
+    output.write(0, &header, sizeof header);
+    output.write(sizeof header, data.data(), data.size());
+    output.commit();
 }
 
 vk::raii::PipelineCache createCache(const std::optional<fs::path>& file, const vk::raii::Device& device,

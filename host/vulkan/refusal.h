@@ -13,4 +13,12 @@ namespace metamarch::vulkan {
 // codes and noDevice for a lost device and all others.
 Error refusalOf(const vk::SystemError& error, const std::string& what);
 
+// What a limit on the process's addresses (`ulimit -v`) may have to do with a failure, to be put behind its
+// text; empty without a limit.
+std::string addressLimitText();
+
+// Throws Error(outOfMemory) where such a limit leaves less than drivers need: they end the program when they
+// get no memory.
+void checkAddressLimit();
+
 } // namespace metamarch::vulkan

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace metamarch {
 namespace {
@@ -19,15 +23,36 @@ std::string oneLine(std::string text) {
     return text;
 }
 
+// An open file. Closing it leaves errno as it was.
+class Descriptor {
+  public:
+    explicit Descriptor(const int opened) : number(opened) {}
+    ~Descriptor() {
+        if (number >= 0) {
+            const int reason = errno;
+            close(number);
+            errno = reason;
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    const int number; // -1: it could not be opened
+};
+
 } // namespace
 
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
     std::error_code failure;
-    if (!std::filesystem::exists(path_, failure)) {
+    const std::filesystem::file_status status = std::filesystem::status(path_, failure);
+    if (status.type() == std::filesystem::file_type::not_found) {
         refuse("no such file");
     }
+    if (failure) {
+        refuse(failure.message());
+    }
     // Reading from a device or pipe might never end.
-    if (!std::filesystem::is_regular_file(path_, failure)) {
+    if (!std::filesystem::is_regular_file(status)) {
         refuse("not a regular file");
     }
     if (std::filesystem::file_size(path_, failure) == 0) {
@@ -42,7 +67,7 @@ InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
 std::vector<unsigned char> InputFile::read() const {
     std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
     if (!bytes) {
-        refuse("cannot be opened and read to its end");
+        refuse(std::string("cannot be read: ") + std::strerror(errno));
     }
     return std::move(*bytes);
 }
@@ -73,7 +98,12 @@ std::string InputFile::whyNotReadable(const std::string& name) const {
         !isBeside(companion(name))) {
         return "leaves the scene's folder";
     }
-    return isFile ? "" : "is missing";
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(companion(name), failure);
+    if (failure && status.type() != std::filesystem::file_type::not_found) {
+        return "cannot be read: " + failure.message();
+    }
+    return std::filesystem::is_regular_file(status) ? "" : "is missing";
 }
 
 void InputFile::refuse(const std::string& what) const { throw Error(ErrorKind::inputRefused, line(what)); }
@@ -89,14 +119,22 @@ void InputFile::warn(const std::string& what) {
 std::string InputFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
 
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary | std::ios::ate);
-    if (!stream) {
+    // A name that has become a pipe since it was looked at does not stop the program.
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (file.number < 0 || fstat(file.number, &status) != 0) {
         return std::nullopt;
     }
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(stream.tellg()));
-    stream.seekg(0);
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
-        return std::nullopt;
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t size = 0;
+    while (size < bytes.size()) {
+        const ssize_t count = ::read(file.number, bytes.data() + size, bytes.size() - size);
+        if (count > 0) {
+            size += static_cast<std::size_t>(count);
+        } else if (count == 0 || errno != EINTR) {
+            errno = count == 0 ? EIO : errno; // somebody cut it off
+            return std::nullopt;
+        }
     }
     return bytes;
 }

@@ -44,7 +44,7 @@ class InputFile {
     std::unordered_set<std::string> warned_;
 };
 
-// Returns nothing if the file cannot be read completely.
+// Returns nothing if the file cannot be read completely; errno then says why.
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path);
 
 // Returns ".png" for "wood.PNG"; empty if the name has no ending.

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
-// An output file that appears under its name only when it is complete.
+// The output files of the program: all of them are written here.
 #pragma once
+#include "metamarch/file/output_target.h"
+#include "metamarch/file/temporary_file.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace metamarch {
 
-// Writes to a temporary file in the same folder; commit() renames it. Without a commit the temporary file is
-// removed and an existing file stays as it is. Symbolic links are followed. Devices, pipes and folders are
-// refused, because a rename would replace them. To check that a path is writable, construct an OutputFile and
-// destroy it. The constructor and commit() throw Error(outputNotWritable).
+// A file that appears under its name only when it is complete. It is written to a temporary file in the same
+// folder, which commit() renames. Without a commit the temporary file is removed and an existing file stays
+// as it is. A file that is replaced hands down its mode and, where that is permitted, its owner.
+//
+// What cannot be renamed over is written at commit(), once everything is there: devices, pipes, the standard
+// streams (see OutputTarget), a file in a folder that takes no new files, and a file that is a mount point.
+//
+// To check that a path is writable, construct an OutputFile and destroy it. The constructor and commit()
+// throw Error(outputNotWritable).
 class OutputFile {
   public:
     explicit OutputFile(const std::filesystem::path& path);
@@ -29,10 +36,12 @@ class OutputFile {
     void commit();
 
   private:
-    std::filesystem::path shownPath_; // as the user typed it, for messages
-    std::filesystem::path finalPath_;
-    std::filesystem::path temporaryPath_;
-    int descriptor_ = -1;
+    void collectInMemory();
+    void replace();
+
+    OutputTarget target_;
+    TemporaryFile temporary_; // empty: what is written waits in memory
+    int descriptor_ = -1;     // of what is written, until the commit
     int firstErrno_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "metamarch/image/image_file.h"
 
 #include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
 #include "metamarch/file/output_file.h"
 #include "metamarch/shared/packed_pixel.h"
 
@@ -15,8 +16,6 @@
 
 namespace metamarch {
 namespace {
-
-enum class Format { exr, png };
 
 // Lets OpenImageIO write into an OutputFile. OpenImageIO's own file classes do not report a full disk that
 // only the last flush notices.
@@ -39,19 +38,6 @@ class OutputFileProxy final : public OIIO::Filesystem::IOProxy {
   private:
     OutputFile& file_;
 };
-
-Format formatOf(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    if (ending == ".exr") {
-        return Format::exr;
-    }
-    if (ending == ".png") {
-        return Format::png;
-    }
-    throw Error(ErrorKind::invalidArgument, path.string() + ": a picture is written as .exr or .png");
-}
 
 std::string oneLine(std::string text) {
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) {
@@ -80,6 +66,10 @@ void writeExr(const Image& image, const std::filesystem::path& path) {
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeFloat);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
+    // The same picture shall be the same bytes. OpenImageIO writes the time of day where this attribute is
+    // absent, and nothing where it is no text, of which it would print a message.
+    spec.attribute(kDateTime, 0);
+    OIIO::attribute("debug", 0);
     for (const auto& [name, value] : image.attributes) {
         spec.attribute(name, value);
     }
@@ -124,20 +114,39 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
 
 } // namespace
 
+PictureFormat pictureFormatOf(const std::filesystem::path& path) {
+    const std::string ending = lowerCaseEnding(path);
+    if (ending == ".exr") {
+        return PictureFormat::exr;
+    }
+    if (ending == ".png") {
+        return PictureFormat::png;
+    }
+    if (ending.empty() && OutputTarget(path).isStream()) {
+        return PictureFormat::exr; // the format that holds all channels
+    }
+    throw Error(ErrorKind::invalidArgument, path.string() + ": a picture is written as .exr or .png");
+}
+
 void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
     if (image.width <= 0 || image.height <= 0 || image.channels.empty() ||
         image.pixels.size() != image.pixelCount() * image.channels.size()) {
         throw std::invalid_argument("writeImage: size, channels and pixels do not fit together");
     }
-    if (formatOf(path) == Format::exr) {
+    if (pictureFormatOf(path) == PictureFormat::exr) {
         writeExr(image, path);
     } else {
         writePng(image, path, toneMapping);
     }
 }
 
+void setImageThreads(const int threads) {
+    OIIO::attribute("threads", threads);
+    OIIO::attribute("exr_threads", threads > 1 ? threads : -1); // -1: the calling thread
+}
+
 void checkWritable(const std::filesystem::path& path) {
-    formatOf(path);
+    pictureFormatOf(path);
     const OutputFile probe(path);
 }
 

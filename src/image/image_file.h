@@ -8,8 +8,18 @@
 
 namespace metamarch {
 
-// Writes a picture. The file appears only when it is complete (see OutputFile). The ending of its name
-// decides the format:
+enum class PictureFormat { exr, png };
+
+// Returns the format by the ending of the name, in small or capital letters; EXR for a device, a pipe or a
+// standard stream whose name has no ending. Throws Error(invalidArgument) for another ending.
+PictureFormat pictureFormatOf(const std::filesystem::path& path);
+
+// The attribute that says when a picture was made, as text: "2026:01:31 23:59:59". Without it the bytes of a
+// file follow from the picture alone.
+inline constexpr const char* kDateTime = "DateTime";
+
+// Writes a picture. The file appears only when it is complete (see OutputFile). The format is
+// pictureFormatOf(path):
 //   .exr  all channels under their names, 32-bit float, linear, zip-compressed, with the attributes in the
 //         header. `toneMapping` is ignored.
 //   .png  the channels R, G, B and, if there is one, A, tone-mapped to 8-bit sRGB.
@@ -27,5 +37,9 @@ void checkWritable(const std::filesystem::path& path);
 // them by name. Keeps only those attributes of the header that are text. Throws Error(inputRefused) if the
 // file is missing, unreadable, truncated, deep or has several parts.
 Image readImage(const std::filesystem::path& path);
+
+// Limits the threads of the libraries that read and write pictures; at least 1. Their default is one for each
+// processor.
+void setImageThreads(int threads);
 
 } // namespace metamarch

@@ -7,6 +7,9 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
 
 namespace metamarch {
 namespace {
@@ -24,6 +27,9 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& path)
     }
     if (std::filesystem::is_directory(status)) {
         refuse(path, "it is a folder");
+    }
+    if (std::filesystem::exists(status) && access(path.c_str(), R_OK) != 0) {
+        refuse(path, std::strerror(errno));
     }
 
     OIIO::ImageSpec request;

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <new>
+#include <system_error>
 
 namespace metamarch {
 namespace {
@@ -40,6 +41,11 @@ Scene loadScene(const std::filesystem::path& path, const ImportOptions& options)
         file.refuseSize("not enough memory for the scene");
     } catch (const std::length_error&) {
         file.refuseSize("not enough memory for the scene");
+    } catch (const std::system_error& failure) {
+        if (failure.code() == std::errc::resource_unavailable_try_again) {
+            throw; // no thread to read it with, which is not the file's fault
+        }
+        file.refuse(failure.what());
     } catch (const std::exception& failure) {
         // The libraries throw various exceptions for broken files.
         file.refuse(failure.what());

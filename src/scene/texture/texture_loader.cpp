@@ -7,7 +7,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 
 namespace metamarch {
 namespace {
@@ -207,7 +209,7 @@ TextureSource fileSource(const InputFile& file, const std::string& name) {
         }
         std::optional<std::vector<unsigned char>> bytes = readBytes(file.companion(name));
         if (!bytes) {
-            throw TextureFailure("cannot be read");
+            throw TextureFailure(std::string("cannot be read: ") + std::strerror(errno));
         }
         return std::move(*bytes);
     };
