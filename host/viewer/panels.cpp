@@ -228,13 +228,13 @@ void drawScene(ViewerState& state) {
             chooseName("variant", import.variant.empty() ? own : import.variant, names, kItself);
         import.variant = chosen == own ? "" : chosen;
     }
-    if (whole.animationSeconds > 0.0) {
+    if (whole.animationSeconds() > 0.0) {
         bool isPosed = import.time.has_value();
         if (ImGui::Checkbox("pose", &isPosed)) {
             import.time = isPosed ? std::optional(0.0) : std::nullopt;
         }
         auto time = static_cast<float>(import.time.value_or(0.0));
-        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds), "%.2f s",
+        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds()), "%.2f s",
                                kTypedWithin)) {
             import.time = static_cast<double>(time);
         }

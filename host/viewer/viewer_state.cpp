@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/viewer_state.h"
 
+#include "metamarch/file/standard_stream.h"
+
 #include <fmt/format.h>
 
 namespace metamarch::viewer {
@@ -14,8 +16,7 @@ void declareControls(SettingList& controls, SettingList& lightControls, Settings
 
 void ViewerState::say(const std::string& line) {
     constexpr std::size_t kMostMessages = 8;
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
+    printRemark(fmt::format("{}\n", line));
     messages.push_back(line);
     if (messages.size() > kMostMessages) {
         messages.pop_front();

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -52,6 +53,11 @@ struct PunctualLight {
     float outerConeAngle = 0.785398163f; // pi / 4
 };
 
+struct SceneAnimation {
+    std::string name;     // may be empty
+    double seconds = 0.0; // when its last key is
+};
+
 // All per-vertex arrays have the same length, except that an optional one is empty if no primitive has it.
 // All per-triangle arrays have the same length. Every index is in range and every number is finite: importers
 // refuse or repair everything else.
@@ -78,10 +84,19 @@ struct Scene {
     std::vector<TextureImage> images;
     std::vector<PunctualLight> lights;
     std::vector<SceneCamera> cameras;
-    std::vector<std::string> variants; // valid names for ImportOptions::variant, in file order
-    double animationSeconds = 0.0;     // when the last animation ends; 0 if nothing moves
+    std::vector<std::string> variants;      // valid names for ImportOptions::variant, in file order
+    std::vector<SceneAnimation> animations; // of the file, whichever poses the scene
 
     std::vector<std::string> warnings; // one line each, for the user
+
+    // When the last animation ends; 0 if nothing moves.
+    double animationSeconds() const {
+        double last = 0.0;
+        for (const SceneAnimation& animation : animations) {
+            last = std::max(last, animation.seconds);
+        }
+        return last;
+    }
 
     // The triangles, as acceleration structures take them.
     operator TriangleMesh() const { return {positions, triangles}; }

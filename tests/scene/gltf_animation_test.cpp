@@ -119,6 +119,25 @@ TEST(GltfAnimation, AllOrOneByNameOrIndex) {
     EXPECT_TRUE(still.load({.time = 0.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }
 
+// The viewer's slider goes to the last key, also where the file does not declare it as the accessor's
+// maximum.
+TEST(GltfAnimation, NamesAndLengthsAreOfTheScene) {
+    AnimatedFile file("translation", "LINEAR", "VEC3", 3, {5, 0, 0, 5, 0, 0, 5, 0, 0});
+    file.addAnimation("scale", "LINEAR", file.addVec3({2, 2, 2, 2, 2, 2, 2, 2, 2}));
+    file.root["animations"][1]["samplers"][0]["input"] = file.addFloats("SCALAR", 1, {0, 1.5f, 2.5f});
+    file.root["animations"].push_back(
+        {{"samplers", {{{"input", 99}}}}, {"channels", Json::array()}}); // broken
+    const Scene scene = file.load();
+    ASSERT_EQ(scene.animations.size(), 3u);
+    EXPECT_EQ(scene.animations[0].name, "translation");
+    EXPECT_EQ(scene.animations[0].seconds, 4.0);
+    EXPECT_EQ(scene.animations[1].name, "scale");
+    EXPECT_EQ(scene.animations[1].seconds, 2.5);
+    EXPECT_EQ(scene.animations[2].seconds, 0.0);
+    EXPECT_EQ(scene.animationSeconds(), 4.0);
+    EXPECT_EQ(TriangleFile().load().animationSeconds(), 0.0);
+}
+
 TEST(GltfAnimation, BrokenOnesAreRefused) {
     const auto refusal = [](AnimatedFile& file) {
         return lineOfError(ErrorKind::inputRefused, [&] { file.at(0); })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/animation.h"
 
+#include "metamarch/error/error.h"
 #include "metamarch/scene/choice.h"
 #include "metamarch/scene/gltf/accessor.h"
 #include "metamarch/scene/gltf/element.h"
@@ -189,6 +190,17 @@ void play(GltfDocument& document, InputFile& file, const GltfElement& animation,
     }
 }
 
+// Returns the time of the sampler's last key.
+double lastKey(const GltfDocument& document, const InputFile& file, const GltfElement& sampler) {
+    const std::optional<int> input = sampler.integer("input");
+    if (!input) {
+        return 0.0;
+    }
+    const GltfAccessor times(document.model, file, sampler.label() + ": input", *input, TINYGLTF_TYPE_SCALAR);
+    const double last = times.count() == 0 ? 0.0 : times.scalar(times.count() - 1);
+    return std::isfinite(last) ? last : 0.0;
+}
+
 } // namespace
 
 void poseNodes(GltfDocument& document, InputFile& file, const std::string& animation, double seconds) {
@@ -202,19 +214,22 @@ void poseNodes(GltfDocument& document, InputFile& file, const std::string& anima
     }
 }
 
-double animationSeconds(const GltfDocument& document) {
-    double last = 0.0;
-    const auto& accessors = document.model.accessors;
-    for (const tinygltf::Animation& animation : document.model.animations) {
-        for (const tinygltf::AnimationSampler& sampler : animation.samplers) {
-            const auto input = static_cast<std::size_t>(sampler.input);
-            if (sampler.input >= 0 && input < accessors.size() && !accessors[input].maxValues.empty() &&
-                std::isfinite(accessors[input].maxValues[0])) {
-                last = std::max(last, accessors[input].maxValues[0]);
+std::vector<SceneAnimation> readAnimations(const GltfDocument& document, const InputFile& file) {
+    std::vector<SceneAnimation> animations;
+    for (const GltfElement& source :
+         GltfElement(file, "", &document.json).objects("animations", "animation")) {
+        SceneAnimation animation;
+        try {
+            animation.name = source.text("name");
+            for (const GltfElement& sampler : source.objects("samplers", "sampler")) {
+                animation.seconds = std::max(animation.seconds, lastKey(document, file, sampler));
             }
+        } catch (const Error&) {
+            // A broken animation is refused when it is played; a still of the scene does not need it.
         }
+        animations.push_back(std::move(animation));
     }
-    return last;
+    return animations;
 }
 
 } // namespace metamarch

@@ -2,8 +2,10 @@
 // glTF animations: moves the nodes to their pose at a given time.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
+#include "metamarch/scene/scene.h"
 
 #include <string>
+#include <vector>
 
 namespace metamarch {
 
@@ -14,8 +16,7 @@ namespace metamarch {
 // animation is broken.
 void poseNodes(GltfDocument& document, InputFile& file, const std::string& animation, double seconds);
 
-// Returns when the last animation ends, in seconds: the greatest time that the file declares for the
-// accessors of its samplers.
-double animationSeconds(const GltfDocument& document);
+// Returns the file's animations, with the time of the last key of each.
+std::vector<SceneAnimation> readAnimations(const GltfDocument& document, const InputFile& file);
 
 } // namespace metamarch

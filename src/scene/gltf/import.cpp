@@ -38,7 +38,7 @@ class GltfImporter {
     }
 
     Scene import() {
-        scene_.animationSeconds = animationSeconds(document_);
+        scene_.animations = readAnimations(document_, file_);
         const GltfTextures textures(document_, file_);
         scene_.textures = textures.textures();
         readMaterials(textures);
