@@ -2,6 +2,7 @@
 #include "metamarch/bench/ray_set.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/shaders/shader_library.h"
 
@@ -48,8 +49,8 @@ Command makeBenchCommand() {
             throw Error(ErrorKind::invalidArgument,
                         "bench: say what: traversal or paper, or --list (see `metamarch bench --help`)");
         }
-        fmt::print("traversals: {}\nray sets: {}\n{}", fmt::join(traversals(), " "),
-                   fmt::join(bench::raySetNames(), " "), notOffered());
+        printResult(fmt::format("traversals: {}\nray sets: {}\n{}", fmt::join(traversals(), " "),
+                                fmt::join(bench::raySetNames(), " "), notOffered()));
     };
     return command;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/bench_options.h"
 
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/version.h"
 
 #include <fmt/chrono.h>
@@ -16,6 +17,7 @@ void BenchOptions::declare(SettingList& list) {
     list.count("repeat", repeat, 1, 1000000, "Measured runs at least, after one to warm up");
     list.number("seconds", seconds, {0.0, 1e9, "0 or more seconds"}, "Measured seconds at least, of each row")
         .withValueName("S");
+    declareThreads(list, threads);
 }
 
 bench::Origin BenchOptions::originOf(const std::string& device, const std::string& driver) const {

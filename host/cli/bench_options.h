@@ -8,6 +8,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 
 namespace metamarch::cli {
@@ -22,6 +25,7 @@ class BenchOptions {
     bench::Origin originOf(const std::string& device, const std::string& driver) const;
 
     glm::uvec2 size{320, 240};
+    std::optional<std::uint32_t> threads;
 
   private:
     std::uint32_t repeat = 5;

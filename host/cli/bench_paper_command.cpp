@@ -3,9 +3,11 @@
 #include "metamarch/cli/bench_options.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
+#include "metamarch/file/standard_stream.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +34,7 @@ void makeFolder(const std::filesystem::path& folder) {
 void runPaper(const PaperOptions& options) {
     const glm::uvec2 size = options.bench.size;
     const bench::Protocol protocol = options.bench.protocol();
+    const Threads threads(options.bench.threads);
     const vulkan::Context context;
     const vulkan::Device device(context, options.device);
     std::vector<std::unique_ptr<bench::BenchScene>> scenes;
@@ -44,19 +47,20 @@ void runPaper(const PaperOptions& options) {
     { const OutputFile probe(folder / "paper.json"); }
 
     const bench::Origin origin = options.bench.originOf(device.name(), device.report().driverInfo);
-    fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
-               bench::definitions(), bench::textHeadings());
+    printResult(fmt::format("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit,
+                            origin.date, bench::definitions(), bench::textHeadings()));
     std::vector<bench::Row> rows;
     for (const std::unique_ptr<bench::BenchScene>& scene : scenes) {
         bench::benchPaperModel(*scene, device, size.x, size.y, protocol, [&](const bench::Row& row) {
-            fmt::print("{}\n", bench::toText(row));
+            printResult(fmt::format("{}\n", bench::toText(row)));
+            flushResults();
             rows.push_back(row);
         });
     }
     writeText(folder / "paper.json", jsonText(origin, rows));
     writeText(folder / "paper.csv", bench::toCsv(rows));
-    fmt::print("\n{}\n{} and paper.csv written; tools/plot_bench draws them\n",
-               bench::compareWithClaims(rows), (folder / "paper.json").string());
+    printResult(fmt::format("\n{}\n{} and paper.csv written; tools/plot_bench draws them\n",
+                            bench::compareWithClaims(rows), (folder / "paper.json").string()));
 }
 
 } // namespace

@@ -5,9 +5,11 @@
 #include "metamarch/cli/bench_options.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
@@ -58,7 +60,8 @@ std::vector<std::string> chooseTraversals(const vulkan::DeviceReport& device,
     std::erase_if(names, [&](const std::string& traversal) {
         const std::vector<std::string> missing = render::missingFor(device, traversal);
         if (!missing.empty()) {
-            fmt::print("{} is left out: {} lacks {}\n", traversal, device.name, fmt::join(missing, ", "));
+            printResult(fmt::format("{} is left out: {} lacks {}\n", traversal, device.name,
+                                    fmt::join(missing, ", ")));
         }
         return !missing.empty();
     });
@@ -92,8 +95,8 @@ class RowSink {
     }
 
     void add(const bench::Row& row) {
-        fmt::print("{}\n", bench::toText(row));
-        std::fflush(stdout);
+        printResult(fmt::format("{}\n", bench::toText(row)));
+        flushResults();
         rows.push_back(row);
     }
 
@@ -194,13 +197,14 @@ void runTraversal(const TraversalOptions& options) {
             bench::readRayFile(word); // before the long work
         }
     }
+    const Threads threads(options.bench.threads);
     const vulkan::Context context;
     const std::vector<BenchDevice> devices = openDevices(context, options, structureOptions.table);
 
     const bench::Origin origin = originOfAll(options.bench, devices);
     RowSink sink;
-    fmt::print("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit, origin.date,
-               bench::definitions(), bench::textHeadings());
+    printResult(fmt::format("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit,
+                            origin.date, bench::definitions(), bench::textHeadings()));
     for (const std::string& path : options.scenePaths) {
         Scene imported = loadScene(path, options.import);
         printWarnings(imported.warnings);

@@ -1,18 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/command_line.h"
 
+#include "metamarch/cli/foreign_words.h"
 #include "metamarch/cli/nearest_word.h"
+#include "metamarch/file/standard_stream.h"
+#include "metamarch/vulkan/refusal.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <exception>
 #include <iterator>
+#include <new>
+#include <sstream>
+#include <system_error>
 
 namespace metamarch::cli {
 namespace {
+
+constexpr std::size_t kHelpWidth = 100;
+constexpr std::size_t kHelpColumn = 30; // where CLI11 begins the description of an option
+
+// One line of help as several that are not wider than the page. The text of an option stays in its column.
+std::string wrappedLine(std::string line) {
+    const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+    const std::string indent(blanks == 2 ? kHelpColumn : blanks, ' ');
+    std::string text;
+    while (line.size() > kHelpWidth) {
+        std::size_t end = line.rfind(' ', kHelpWidth);
+        std::size_t next = end + 1;
+        if (end == std::string::npos || end <= indent.size()) { // a long list of choices has no blank
+            end = next = line.rfind('|', kHelpWidth - 1) + 1;
+        }
+        if (end == 0 || end <= indent.size()) {
+            break;
+        }
+        text += line.substr(0, end) + "\n";
+        line = indent + line.substr(next);
+    }
+    return text + line;
+}
+
+std::string wrapped(const std::string& help) {
+    std::string text;
+    std::size_t begin = 0;
+    while (begin < help.size()) {
+        const std::size_t end = std::min(help.find('\n', begin), help.size());
+        text += wrappedLine(help.substr(begin, end - begin)) + (end < help.size() ? "\n" : "");
+        begin = end + 1;
+    }
+    return text;
+}
 
 // "--tree-depth" of the library's "treeDepth".
 std::string optionOf(const std::string& setting) {
@@ -147,28 +187,82 @@ std::vector<std::string> optionNames(const CLI::App& app) {
     return names;
 }
 
+bool contains(const std::vector<std::string>& words, const std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+// What to say after a word that is not known: its name here where it is another program's, else the nearest
+// of the candidates.
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates) {
-    const std::string nearest = nearestWord(word, candidates);
+    const std::string_view answer = word.starts_with('-') ? answerTo(word) : std::string_view();
+    if (answer.starts_with("`--")) {
+        if (contains(candidates, answer.substr(1, answer.find_first_of(" `", 1) - 1))) {
+            return fmt::format("; did you mean {}?", answer);
+        }
+    } else if (!answer.empty()) {
+        return fmt::format("; {}", answer);
+    }
+    const std::string nearest = nearestWord(word.substr(0, word.find('=')), candidates);
     return nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest);
 }
 
-int reportUnknownWord(const CLI::App& program, const std::string& word) {
-    if (word.starts_with('-')) {
-        return report(ExitCode::badArguments, fmt::format("unknown option `{}`{} (see `metamarch --help`)",
-                                                          word, suggestion(word, optionNames(program))));
+// The first option among the words, else the first word.
+std::string firstUnknown(const std::vector<std::string>& words) {
+    const auto option =
+        std::ranges::find_if(words, [](const std::string& word) { return word.starts_with('-'); });
+    return option == words.end() ? words.front() : *option;
+}
+
+// Files in place of a sub-command: most want a picture.
+int reportNoCommand(const std::vector<std::string>& words) {
+    return report(
+        ExitCode::badArguments,
+        fmt::format("no sub-command given; did you mean `metamarch render {}`? (see `metamarch --help`)",
+                    fmt::join(words, " ")));
+}
+
+int reportUnknownWord(const CLI::App& program, const std::vector<std::string>& words) {
+    const auto isFile = [](const std::string& word) {
+        return !word.starts_with('-') && word.find('.') != std::string::npos;
+    };
+    if (std::ranges::any_of(words, isFile)) {
+        return reportNoCommand(words);
     }
-    const std::vector<std::string> names = commandNames(program);
+    const std::string& word = words.front();
+    if (word.starts_with('-')) {
+        const std::string meant = word == "-v" ? "-V" : word; // among sub-commands it is --verbose
+        return report(ExitCode::badArguments, fmt::format("unknown option `{}`{} (see `metamarch --help`)",
+                                                          word, suggestion(meant, optionNames(program))));
+    }
+    std::vector<std::string> names = commandNames(program);
+    const std::string list = fmt::format("{}", fmt::join(names, ", "));
+    const std::string asOption = "--" + word; // help, version
+    const std::string hint = contains(optionNames(program), asOption)
+                                 ? fmt::format("; did you mean `{}`?", asOption)
+                                 : suggestion(word, names);
     return report(ExitCode::badArguments,
-                  fmt::format("unknown sub-command `{}`{} (see `metamarch --help`: {})", word,
-                              suggestion(word, names), fmt::join(names, ", ")));
+                  fmt::format("unknown sub-command `{}`{} (see `metamarch --help`: {})", word, hint, list));
+}
+
+// The sub-command of a sub-command that the words name.
+const CLI::App& innermost(const CLI::App& command) {
+    const std::vector<CLI::App*> nested = command.get_subcommands();
+    return nested.empty() ? command : innermost(*nested.front());
 }
 
 int reportBadArguments(const CLI::App& command, const CLI::ParseError& error) {
     std::string line = error.what();
-    const std::vector<std::string> unexpected = command.remaining();
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unexpected.empty()) {
-        line = fmt::format("unknown argument `{}`{}", unexpected.front(),
-                           suggestion(unexpected.front(), optionNames(command)));
+    const CLI::App& meant = innermost(command);
+    std::vector<std::string> unknown = meant.remaining();
+    if (unknown.empty()) {
+        unknown = command.remaining();
+    }
+    // A misspelt option also leaves out the one that it was to be.
+    const bool isAboutWords = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                              dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    if (isAboutWords && !unknown.empty()) {
+        const std::string word = firstUnknown(unknown);
+        line = fmt::format("unknown argument `{}`{}", word, suggestion(word, optionNames(meant)));
     }
     return report(ExitCode::badArguments, fmt::format("{}: {} (see `metamarch {} --help`)",
                                                       command.get_name(), line, command.get_name()));
@@ -176,7 +270,10 @@ int reportBadArguments(const CLI::App& command, const CLI::ParseError& error) {
 
 int reportParseError(const CLI::App& program, const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) { // --help or --version
-        return program.exit(error);
+        std::ostringstream text;
+        const int code = program.exit(error, text, text);
+        printResult(wrapped(text.str()));
+        return code;
     }
     const std::vector<CLI::App*> commands = program.get_subcommands();
     if (!commands.empty()) {
@@ -184,9 +281,9 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error) {
     }
     const std::vector<std::string> words = program.remaining();
     if (!words.empty()) {
-        return reportUnknownWord(program, words.front());
+        return reportUnknownWord(program, words);
     }
-    fmt::print("{}", program.help());
+    printResult(wrapped(program.help()));
     return report(ExitCode::badArguments, "no sub-command given; see `metamarch SUBCOMMAND --help`");
 }
 
@@ -210,7 +307,7 @@ int runCommandLine(const int argc, const char* const* const argv, Command& progr
 }
 
 int report(const ExitCode code, const std::string& line) {
-    fmt::print(stderr, "metamarch: {}\n", line);
+    printError(fmt::format("metamarch: {}\n", line));
     return static_cast<int>(code);
 }
 
@@ -220,6 +317,31 @@ int report(const Error& error) {
     return report(exitCodeOf(error.kind),
                   options.empty() ? std::string(error.what())
                                   : fmt::format("{} ({})", error.what(), fmt::join(options, ", ")));
+}
+
+int reportCurrentException() {
+    const std::exception_ptr current = std::current_exception();
+    if (current == nullptr) {
+        return report(ExitCode::internalError, "internal error");
+    }
+    try {
+        std::rethrow_exception(current);
+    } catch (const Error& error) {
+        return report(error);
+    } catch (const std::bad_alloc&) {
+        return report(ExitCode::outOfMemory, "out of memory");
+    } catch (const vk::SystemError& error) {
+        return report(vulkan::refusalOf(error, "Vulkan"));
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            return report(ExitCode::outOfMemory, "the system allows no more threads (see `ulimit -u`)");
+        }
+        return report(ExitCode::internalError, fmt::format("internal error: {}", error.what()));
+    } catch (const std::exception& error) {
+        return report(ExitCode::internalError, fmt::format("internal error: {}", error.what()));
+    } catch (...) {
+        return report(ExitCode::internalError, "internal error");
+    }
 }
 
 } // namespace metamarch::cli

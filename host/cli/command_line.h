@@ -28,4 +28,7 @@ int runCommandLine(int argc, const char* const* argv, Command& program, const st
 int report(ExitCode code, const std::string& line);
 int report(const Error& error);
 
+// The same for the exception that is being handled. Where there is none, a defect is reported.
+int reportCurrentException();
+
 } // namespace metamarch::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/image/comparison.h"
 #include "metamarch/image/image_file.h"
 
@@ -24,22 +25,23 @@ struct CompareOptions {
 
 void printTable(const Comparison& comparison) {
     if (!comparison.channels.empty()) {
-        fmt::print("{:<12} {:>12} {:>12} {:>13} {:>12} {:>13} {:>14} {:>14} {:>10} {:>9}\n", "channel",
-                   "RMSE", "relative MSE", "mean A - B", "max |A - B|", "at x,y", "A there", "B there",
-                   "failing", "%");
+        printResult(fmt::format("{:<12} {:>12} {:>12} {:>13} {:>12} {:>13} {:>14} {:>14} {:>10} {:>9}\n",
+                                "channel", "RMSE", "relative MSE", "mean A - B", "max |A - B|", "at x,y",
+                                "A there", "B there", "failing", "%"));
     }
     for (const ChannelComparison& channel : comparison.channels) {
-        fmt::print(
+        printResult(fmt::format(
             "{:<12} {:>12.6g} {:>12.6g} {:>13.6g} {:>12.6g} {:>13} {:>14.8g} {:>14.8g} {:>10} {:>9.4f}{}\n",
             channel.name, channel.rmse, channel.relativeMse, channel.meanDifference, channel.maxDifference,
             fmt::format("{},{}", channel.worstX, channel.worstY), channel.worstA, channel.worstB,
-            channel.failingPixels, channel.failingPercent, channel.judged ? "" : "  (not judged)");
+            channel.failingPixels, channel.failingPercent, channel.judged ? "" : "  (not judged)"));
     }
     for (const std::string& mismatch : comparison.mismatches) {
-        fmt::print("{}\n", mismatch);
+        printResult(fmt::format("{}\n", mismatch));
     }
-    fmt::print("{}: {} of {} pixels fail ({:.4f} %)\n", comparison.passed ? "within bounds" : "out of bounds",
-               comparison.failingPixels, comparison.pixels, comparison.failingPercent);
+    printResult(fmt::format("{}: {} of {} pixels fail ({:.4f} %)\n",
+                            comparison.passed ? "within bounds" : "out of bounds", comparison.failingPixels,
+                            comparison.pixels, comparison.failingPercent));
 }
 
 // JSON has no infinities and no NaN: they become the strings "inf", "-inf" and "nan".
@@ -84,7 +86,8 @@ void printJson(const Comparison& comparison, const CompareOptions& options) {
         {"channels", channels},
     };
     // A path need not be valid UTF-8; a report with a replacement character beats none.
-    fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    printResult(
+        fmt::format("{}\n", report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
 }
 
 std::string failureLine(const Comparison& comparison, const CompareOptions& options) {

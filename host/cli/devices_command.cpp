@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/error/error.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/device_choice.h"
 #include "metamarch/vulkan/device_report.h"
@@ -18,7 +19,9 @@ namespace {
 
 using vulkan::DeviceReport;
 
-void printLine(const char* what, const std::string& value) { fmt::print("     {:<36} {}\n", what, value); }
+void printLine(const char* what, const std::string& value) {
+    printResult(fmt::format("     {:<36} {}\n", what, value));
+}
 
 std::string usableText(const DeviceReport& report, bool isDefault) {
     if (!report.usable()) {
@@ -41,7 +44,7 @@ std::string rayQueryText(const DeviceReport& report) {
 }
 
 void printReport(const DeviceReport& report, bool isDefault) {
-    fmt::print("{} {}  {}\n", isDefault ? "*" : " ", report.index, report.name);
+    printResult(fmt::format("{} {}  {}\n", isDefault ? "*" : " ", report.index, report.name));
     printLine("usable", usableText(report, isDefault));
     printLine("type", typeText(report.type));
     printLine("driver", fmt::format("{} {}", report.driver, report.driverInfo));
@@ -103,7 +106,8 @@ void runDevices(bool json) {
         }
     }
     if (json) { // a driver may call its device by bytes that are no UTF-8
-        fmt::print("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        printResult(
+            fmt::format("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
     }
     if (!defaultIndex) {
         throw Error(ErrorKind::noDevice, "no usable Vulkan device; the list above says why");

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/cli/commands.h"
+#include "metamarch/cli/scene_report.h"
 #include "metamarch/cli/structure_report.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/warnings.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
@@ -10,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 namespace metamarch::cli {
 namespace {
@@ -18,6 +22,7 @@ struct InfoOptions {
     std::string scenePath;
     ImportOptions import;
     AccelerationOptions structure;
+    std::optional<std::uint32_t> threads;
     bool json = false;
 };
 
@@ -31,7 +36,7 @@ std::string triple(const nlohmann::ordered_json& values, const char* separator) 
 
 void printText(const nlohmann::ordered_json& report) {
     const auto line = [](const char* label, const std::string& value) {
-        fmt::print("{:<12} {}\n", label, value);
+        printResult(fmt::format("{:<12} {}\n", label, value));
     };
     const auto count = [&](const char* group, const char* key) {
         return report[group][key].get<std::uint64_t>();
@@ -81,6 +86,7 @@ void printText(const nlohmann::ordered_json& report) {
 
 void runInfo(const InfoOptions& options) {
     checkStructure(options.structure);
+    const Threads threads(options.threads);
     const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
     printWarnings(scene->warnings);
     const render::PreparedScene prepared(scene, options.structure);
@@ -90,9 +96,12 @@ void runInfo(const InfoOptions& options) {
         report["rectilinear"] = reportRectilinear(StructureSet(*prepared.structure).rectilinearTable());
     }
     if (options.json) {
-        fmt::print("{}\n", report.dump(2));
+        report.update(reportContents(*scene));
+        // A name of a mesh file may be bytes that are no UTF-8.
+        printResult(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     } else {
         printText(report);
+        printResult(contentsText(*scene));
     }
 }
 
@@ -100,10 +109,12 @@ void runInfo(const InfoOptions& options) {
 
 Command makeInfoCommand() {
     const auto options = std::make_shared<InfoOptions>();
-    Command command{"info", "Show what a scene holds and what tree and table cost", {}, {}, {}, {}};
+    Command command{
+        "info", "Show what a scene holds, with its names, and what tree and table cost", {}, {}, {}, {}};
     SettingList& settings = command.settings;
     settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
     settings.flag("json", options->json, "Print JSON");
+    declareThreads(settings, options->threads);
     declareImport(settings, options->import);
     declareStructure(settings, options->structure);
     command.footer = "Example:\n  build/metamarch info scenes/objects.glb --cells 100000";

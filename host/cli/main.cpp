@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The program: runs one sub-command and turns every failure into one line and an exit code.
 #include "metamarch/cli/commands.h"
+#include "metamarch/cli/process.h"
 #include "metamarch/cli/version.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/vulkan/context.h"
-
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <new>
 
 namespace metamarch::cli {
 namespace {
@@ -36,17 +33,12 @@ Command makeProgram() {
     return program;
 }
 
-// What sub-commands print stays in a buffer until here: a full disk may show only now.
-void flushOutput() {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        throw Error(ErrorKind::outputNotWritable, "cannot write to standard output");
-    }
-}
-
 int run(const int argc, char** const argv) {
     Command program = makeProgram();
     const int code = runCommandLine(argc, argv, program, versionText());
-    flushOutput();
+    if (!flushResults()) { // a full disk may show only now
+        throw Error(ErrorKind::outputNotWritable, "cannot write to standard output");
+    }
     // Validation is for developers, and a message a defect of the program.
     return vulkan::validationMessages() == 0
                ? code
@@ -58,13 +50,10 @@ int run(const int argc, char** const argv) {
 
 int main(int argc, char** argv) {
     using namespace metamarch;
+    cli::settleProcess();
     try {
         return cli::run(argc, argv);
-    } catch (const Error& error) {
-        return cli::report(error);
-    } catch (const std::bad_alloc&) {
-        return cli::report(cli::ExitCode::outOfMemory, "out of memory");
-    } catch (const std::exception& error) {
-        return cli::report(cli::ExitCode::internalError, fmt::format("internal error: {}", error.what()));
+    } catch (...) {
+        return cli::reportCurrentException();
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/progress.h"
 
+#include "metamarch/file/standard_stream.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -15,7 +17,7 @@ Progress::Progress(const std::string_view firstLabel, const bool wanted)
 
 Progress::~Progress() {
     if (visible) {
-        fmt::print(stderr, "\r\x1b[K");
+        printError("\r\x1b[K");
     }
 }
 
@@ -29,9 +31,8 @@ void Progress::show(const std::string_view newLabel, const double part) {
     lastDrawn = now;
     label = newLabel;
     const auto filled = static_cast<std::size_t>(part * kWidth);
-    fmt::print(stderr, "\r\x1b[K{} [{:#>{}}{:.>{}}] {:3.0f} %", label, "", filled, "", kWidth - filled,
-               100.0 * part);
-    std::fflush(stderr);
+    printError(fmt::format("\r\x1b[K{} [{:#>{}}{:.>{}}] {:3.0f} %", label, "", filled, "", kWidth - filled,
+                           100.0 * part));
 }
 
 } // namespace metamarch::cli

@@ -3,11 +3,14 @@
 #include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/progress.h"
 #include "metamarch/cli/render_report.h"
+#include "metamarch/cli/stage_log.h"
 #include "metamarch/cli/structure_report.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/version.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/output_file.h"
+#include "metamarch/file/standard_stream.h"
 #include "metamarch/image/image_file.h"
 #include "metamarch/render/picture.h"
 #include "metamarch/render/render.h"
@@ -20,7 +23,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -46,7 +48,10 @@ struct RenderOptions {
     ImportOptions import;
     AccelerationOptions structure;
     std::string statsPath;
+    bool isStamped = false;
+    std::optional<std::uint32_t> threads;
     bool quiet = false;
+    bool isVerbose = false;
 };
 
 void checkArguments(const RenderOptions& options) {
@@ -60,16 +65,12 @@ void checkArguments(const RenderOptions& options) {
     checkStructure(options.structure);
 }
 
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-    return weakly_canonical(absolute(a)) == weakly_canonical(absolute(b));
-}
-
 // What can be refused before the long work.
 void checkOutputs(const RenderOptions& options) {
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
-        if (sameFile(options.statsPath, options.outputPath)) {
+        if (isSameOutput(options.statsPath, options.outputPath)) {
             throw Error(ErrorKind::invalidArgument, "--stats and --output name the same file");
         }
     }
@@ -115,9 +116,16 @@ void writeStats(const nlohmann::ordered_json& report, const render::PreparedScen
     writeText(path, stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
+// A result on standard output is not mixed with words.
+bool printsResults(const RenderOptions& options) {
+    return isStandardOutput(options.outputPath) ||
+           (!options.statsPath.empty() && isStandardOutput(options.statsPath));
+}
+
 // All but where the results go, and the preset, which stands for other settings.
 std::string changedOptions(const SettingList& given) {
-    constexpr std::string_view kOutputs[] = {"output", "stats", "quiet", "preset"};
+    constexpr std::string_view kOutputs[] = {"output",  "stats",   "stamp", "quiet",
+                                             "verbose", "threads", "preset"};
     return given.changedText(kOutputs);
 }
 
@@ -125,6 +133,8 @@ void runRender(const RenderOptions& options, const SettingList& given) {
     checkArguments(options);
     const glm::uvec2 size = options.size;
     checkOutputs(options);
+    const Threads threads(options.threads);
+    StageLog log(options.isVerbose);
     const render::RenderSettings settings = settingsOf(options);
 
     // Before the long work: there may be no device that fits.
@@ -134,12 +144,16 @@ void runRender(const RenderOptions& options, const SettingList& given) {
         context.emplace();
         device.emplace(*context, options.device);
         render::requireTraversal(device->report(), settings.traversal);
+        log.end(fmt::format("device {}, {} {}", device->name(), device->report().driver,
+                            device->report().driverInfo));
     }
 
     const Stopwatch import;
     const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
     const double importSeconds = import.seconds();
     printWarnings(scene->warnings);
+    log.end(fmt::format("scene of {} triangles, {} materials, {} textures", scene->triangles.size(),
+                        scene->materials.size(), scene->textures.size()));
     const SceneCamera sceneCamera =
         chooseCamera(*scene, options.view, static_cast<float>(size.x) / static_cast<float>(size.y));
     const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.view.lens);
@@ -147,20 +161,28 @@ void runRender(const RenderOptions& options, const SettingList& given) {
     render::PreparedScene prepared(scene, options.structure);
     const double buildSeconds = build.seconds();
     printWarnings(render::warningsOf(*prepared.structure));
+    log.end("tree and table");
     if (!settings.isPrimary()) {
         prepared.light(options.scenePath, settings.path, options.light);
         printWarnings(prepared.lightWarnings);
+        log.end("light and materials");
     }
     std::optional<render::DeviceScene> onDevice;
     if (device) {
         onDevice.emplace(*device, prepared);
+        log.end("scene on the device");
     }
 
     const render::RenderResult result =
         renderWithProgress(prepared, onDevice, camera, settings, options.quiet);
     printWarnings(result.warnings);
-    render::writePicture(result, {programVersion(), options.scenePath, sceneCamera, changedOptions(given)},
-                         options.outputPath, options.tone);
+    log.end(onDevice ? fmt::format("picture, of which {:.3f} s until the first result (the driver compiles)",
+                                   result.seconds.firstSubmission)
+                     : "picture");
+    render::writePicture(
+        result, {programVersion(), options.scenePath, sceneCamera, changedOptions(given), options.isStamped},
+        options.outputPath, options.tone);
+    log.end(fmt::format("{} written", options.outputPath));
     if (!options.statsPath.empty()) {
         nlohmann::ordered_json report = reportRender(result);
         report["seconds"]["import"] = importSeconds;
@@ -168,10 +190,10 @@ void runRender(const RenderOptions& options, const SettingList& given) {
         report["options"] = changedOptions(given);
         writeStats(report, prepared, onDevice, options.statsPath);
     }
-    if (!options.quiet) {
-        fmt::print("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n", options.outputPath, size.x,
-                   size.y, scene->triangles.size(), result.traversal, result.device, result.driver,
-                   result.seconds.render, summaryOf(result));
+    if (!options.quiet && !printsResults(options)) {
+        printRemark(fmt::format("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n",
+                                options.outputPath, size.x, size.y, scene->triangles.size(), result.traversal,
+                                result.device, result.driver, result.seconds.render, summaryOf(result)));
     }
 }
 
@@ -182,19 +204,29 @@ Command makeRenderCommand() {
     Command command{"render", "Render a scene to an EXR or PNG picture", {}, {}, {}, {}};
     SettingList& settings = command.settings;
     settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
-    settings.text("output", options->outputPath, "Picture to write: .exr (all channels) or .png")
+    settings
+        .text("output", options->outputPath,
+              "Picture to write: .exr (all channels) or .png; -: an EXR to standard output")
         .withShortName("o")
         .withValueName("FILE")
         .required();
     settings.size("size", options->size, "Width and height in pixels");
-    settings.text("stats", options->statsPath, "Write what it took as JSON").withValueName("FILE.json");
+    settings.text("stats", options->statsPath, "Write what it took as JSON; -: to standard output")
+        .withValueName("FILE.json");
+    settings.flag("stamp", options->isStamped,
+                  "Say in an EXR's header when it was made and how long that took");
     settings.flag("quiet", options->quiet, "Print nothing but errors and warnings");
+    settings
+        .flag("verbose", options->isVerbose,
+              "Also print the device, and each stage with its seconds, on standard error")
+        .excludes({"quiet"});
     declareCamera(settings, options->view);
     declareTone(settings, options->tone);
     settings.beginGroup("Device");
     settings.choice("backend", options->backend, kBackends,
                     "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
     declareDevice(settings, options->device);
+    declareThreads(settings, options->threads);
     declareTraversal(settings, "traversal", options->traversal,
                      fmt::format("How rays find triangles (default {}, or what marches --table): {}",
                                  traversals().front(), fmt::join(traversals(), " ")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/cli/version.h"
 #include "metamarch/error/error.h"
 #include "metamarch/render/traversal_choice.h"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -40,6 +42,7 @@ struct ViewerArguments {
     ImportOptions import;
     AccelerationOptions structure;
     std::string shaderFolder;
+    std::optional<std::uint32_t> threads;
     bool hasNoPanels = false;
 };
 
@@ -134,6 +137,7 @@ Command makeViewCommand() {
     declareTone(settings, arguments->tone);
     settings.beginGroup("Device");
     declareDevice(settings, arguments->device);
+    declareThreads(settings, arguments->threads);
     declareTraversal(settings, "traversal", arguments->traversal, "How rays find triangles");
     declareTraversal(settings, "split", arguments->secondTraversal,
                      "Another traversal on the right half of the window");
@@ -155,6 +159,7 @@ Command makeViewCommand() {
     command.footer = "Keys are listed in the window.\n\nExample:\n  build/metamarch view scenes/objects.glb";
     command.run = [arguments](const SettingList& given) {
         chooseTone(given, arguments->path.integrator, arguments->tone);
+        const Threads threads(arguments->threads);
         runView(*arguments);
     };
     return command;

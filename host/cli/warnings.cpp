@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/warnings.h"
 
+#include "metamarch/file/standard_stream.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,7 +11,7 @@ namespace metamarch::cli {
 
 void printWarnings(const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
-        fmt::print(stderr, "metamarch: warning: {}\n", warning);
+        printError(fmt::format("metamarch: warning: {}\n", warning));
     }
 }
 

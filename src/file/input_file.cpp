@@ -90,7 +90,7 @@ std::string InputFile::whyNotReadable(const std::string& name) const {
         return "is not a file beside the scene";
     }
     std::error_code failure;
-    const bool isFile = std::filesystem::is_regular_file(companion(name), failure);
+    const std::filesystem::file_status status = std::filesystem::status(companion(name), failure);
     if (failure == std::errc::filename_too_long) {
         return "has too long a name";
     }
@@ -98,8 +98,6 @@ std::string InputFile::whyNotReadable(const std::string& name) const {
         !isBeside(companion(name))) {
         return "leaves the scene's folder";
     }
-    std::error_code failure;
-    const std::filesystem::file_status status = std::filesystem::status(companion(name), failure);
     if (failure && status.type() != std::filesystem::file_type::not_found) {
         return "cannot be read: " + failure.message();
     }

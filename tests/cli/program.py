@@ -53,6 +53,26 @@ def shared_scene(name=""):
     return asset("METAMARCH_SCENES", "scenes", name)
 
 
+def unshare(*options):
+    """The end of the test, which is skipped, where this machine lets nobody have namespaces of their own."""
+    if subprocess.run(["unshare", *options, "true"], capture_output=True, check=False).returncode != 0:
+        raise unittest.SkipTest(f"unshare {' '.join(options)} is not permitted")
+
+
+def as_nobody(test):
+    """What subprocess.run() takes to run the program without privileges in the test's folder. Skips the test where that
+    cannot be."""
+    for folder in (test.tmp.parent, test.tmp):
+        folder.chmod(0o755)
+    user = {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+    user["env"] = {**os.environ, "XDG_CACHE_HOME": "/nonexistent", "HOME": "/nonexistent"}
+    try:
+        subprocess.run([metamarch(), "--version"], cwd=test.tmp, capture_output=True, check=True, **user)
+    except (OSError, subprocess.SubprocessError) as error:
+        raise unittest.SkipTest(f"nobody cannot run the program: {error}") from error
+    return user
+
+
 def channels_of(integrator):
     """Returns the channels in the list of README.md; image_tests compares this list with the program's table."""
     listing = re.search(r"^```\nR G B  .*?^```$", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "metamarch/cli/process.h"
+
+#include "metamarch/cli/command_line.h"
+#include "metamarch/file/temporary_file.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace metamarch::cli {
+namespace {
+
+// A stream that the caller closed gets a file with which its use fails, as that of a closed stream does.
+void openStandardStreams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) == -1) { // the lowest free number is the stream's
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+// The parent sees that the signal ended the program, as it would without a handler. For process 1 the second
+// signal does nothing either.
+void endBySignal(const int signal) {
+    removeTemporaryFiles();
+    std::signal(signal, SIG_DFL);
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, signal);
+    pthread_sigmask(SIG_UNBLOCK, &blocked, nullptr);
+    kill(getpid(), signal);
+    _exit(128 + signal);
+}
+
+// A signal that the caller has the program ignore (nohup) stays ignored.
+void handle(const int signal) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler == SIG_IGN && getpid() != 1) {
+        return;
+    }
+    action = {};
+    action.sa_handler = endBySignal;
+    sigfillset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+[[noreturn]] void endByException() {
+    const int code = reportCurrentException();
+    removeTemporaryFiles();
+    _exit(code);
+}
+
+} // namespace
+
+void settleProcess() {
+    openStandardStreams();
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+        handle(signal);
+    }
+    std::set_terminate(endByException);
+}
+
+} // namespace metamarch::cli
