@@ -37,8 +37,9 @@ MeshFile readOff(InputFile& file, std::string_view bytes);
 // which programs put a colour into the attribute of a binary facet.
 MeshFile readStl(InputFile& file, std::string_view bytes);
 
-// OBJ by Wavefront ("B1. Object files", appendix of the manual of Advanced Visualizer, 1995): its polygons, and
-// the libraries of materials that it names, from its folder. Also colours of vertices, which others added.
+// OBJ by Wavefront ("B1. Object files", appendix of the manual of Advanced Visualizer, 1995): its polygons,
+// and the libraries of materials that it names, from its folder. Also colours of vertices, which others
+// added.
 MeshFile readObj(InputFile& file, std::string_view bytes);
 
 // Ends the face whose corners were appended last. Throws Error(outOfMemory) if there are more corners than an
