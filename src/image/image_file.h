@@ -31,11 +31,12 @@ void writeImage(const Image& image, const std::filesystem::path& path, const Ton
 // render.
 void checkWritable(const std::filesystem::path& path);
 
-// Reads any picture with a single part that OpenImageIO supports. Returns the values as they are stored,
-// without a conversion of colours: EXR keeps every bit, and 8-bit formats become multiples of 1/255. EXR
-// stores channels sorted by name, so their order may differ from that of the picture that was written; find
-// them by name. Keeps only those attributes of the header that are text. Throws Error(inputRefused) if the
-// file is missing, unreadable, truncated, deep or has several parts.
+// Reads any picture with a single part that OpenImageIO supports, and Radiance pictures of every kind. A
+// picture whose pixels fill only a part of its display window gets 0 around them. Returns the values as they
+// are stored, without a conversion of colours: EXR keeps every bit, and 8-bit formats become multiples of
+// 1/255. EXR stores channels sorted by name, so their order may differ from that of the picture that was
+// written; find them by name. Keeps only those attributes of the header that are text. Throws
+// Error(inputRefused) if the file is missing, unreadable, truncated, deep or has several parts.
 Image readImage(const std::filesystem::path& path);
 
 // Limits the threads of the libraries that read and write pictures; at least 1. Their default is one for each

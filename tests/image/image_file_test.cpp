@@ -56,6 +56,30 @@ std::vector<int> bytesOf(const Image& image) {
     return bytes;
 }
 
+// A data window of 2 x 1 at column 1, row 2, in a display window of 4 x 3.
+TEST(ImageFile, DataWindowIsPlacedInTheDisplayWindow) {
+    const TemporaryFolder folder;
+    const auto write = [&](int x, int y, int fullWidth, int fullHeight) {
+        OIIO::ImageSpec spec(2, 1, 1, OIIO::TypeFloat);
+        spec.x = x;
+        spec.y = y;
+        spec.full_width = fullWidth;
+        spec.full_height = fullHeight;
+        const float values[] = {5.0f, 6.0f};
+        const auto output = OIIO::ImageOutput::create("exr");
+        EXPECT_TRUE(output->open((folder / "a.exr").string(), spec));
+        EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values) && output->close());
+        return folder / "a.exr";
+    };
+    const Image placed = readImage(write(1, 2, 4, 3));
+    EXPECT_EQ(placed.width, 4);
+    EXPECT_EQ(placed.pixels, std::vector<float>({0, 0, 0, 0, 0, 0, 0, 0, 0, 5, 6, 0}));
+    // What lies outside the display window is not part of the picture.
+    EXPECT_EQ(readImage(write(-1, 0, 1, 1)).pixels, std::vector<float>({6}));
+    expectError(ErrorKind::inputRefused, "its display window of 100000 x 100000 is too large",
+                [&] { readImage(write(0, 0, 100000, 100000)); });
+}
+
 TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
     const TemporaryFolder folder;
     const Image written = everyChannel();
