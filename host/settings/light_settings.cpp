@@ -105,6 +105,12 @@ void declareLight(SettingList& list, LightChoice& light) {
                 "Multiply the radiance of map or sky")
         .withValueName("F")
         .slides({0.01, 100.0, "%.2f", true});
+    list.number(
+            "env-max", light.mapMaximum,
+            {std::numeric_limits<float>::min(), std::numeric_limits<float>::max(), "a finite number above 0"},
+            "Dim what is brighter in the map, in its largest channel (default: only infinite light)")
+        .withValueName("F")
+        .needs({"env"});
     list.add("background", Setting::Kind::value, backgroundAccess(light), "The same radiance from everywhere")
         .withValueName("r,g,b")
         .excludes({"env", "sky", "sun"});

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <filesystem>
+#include <optional>
 
 namespace metamarch {
 
@@ -17,8 +18,9 @@ struct LightChoice {
 
     Kind kind = Kind::automatic;
     std::filesystem::path map;
-    float rotation = 0.0f;  // radians; turns the map around y, from +z towards +x
-    float intensity = 1.0f; // factor of the radiance of map and sky, at least 0
+    float rotation = 0.0f;             // radians; turns the map around y, from +z towards +x
+    float intensity = 1.0f;            // factor of the radiance of map and sky, at least 0
+    std::optional<float> mapMaximum{}; // the largest radiance of the map in any channel, above 0
     glm::vec3 background{0.0f};
     float sunElevation = 0.785398163f; // as in SkySettings
     float sunAzimuth = 0.0f;

@@ -43,7 +43,7 @@ Surroundings makeSurroundings(const Scene& scene, const std::string& name, const
         surroundings.background = light.background;
         break;
     case LightChoice::Kind::map:
-        surroundings.environment = loadEnvironment(light.map);
+        surroundings.environment = loadEnvironment(light.map, light.mapMaximum);
         surroundings.warnings = surroundings.environment->warnings;
         break;
     case LightChoice::Kind::sky:

@@ -76,8 +76,7 @@ std::vector<float> greyBut(const glm::vec3& odd, std::size_t x, std::size_t y) {
 TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
     for (const glm::vec3& bad :
          {glm::vec3(-1.0f), glm::vec3(0.5f, -1.0f, 0.5f), glm::vec3(-0.5f, -0.1f, -0.1f),
-          glm::vec3(-1.0f, 0.9f, 0.0f), glm::vec3(1.0f, -0.3f, 0.0f), glm::vec3(1.0f, kInfinity, 1.0f),
-          glm::vec3(kNan, 1.0f, 1.0f), glm::vec3(1.0f, 1.0f, -kInfinity)}) {
+          glm::vec3(-1.0f, 0.9f, 0.0f), glm::vec3(1.0f, -0.3f, 0.0f), glm::vec3(1.0f, 1.0f, -kInfinity)}) {
         const std::filesystem::path file = writeExr({"R", "G", "B"}, greyBut(bad, 2, 1), 9);
         expectError(ErrorKind::inputRefused,
                     fmt::format("{}: texel 2,1 has a radiance of {} {} {}; light is ", file.string(), bad.r,
@@ -93,6 +92,42 @@ TEST_F(EnvironmentTest, TexelsThatAreNoLight) {
         expectError(ErrorKind::inputRefused, ": texel 0,0 has a radiance of ",
                     [&] { loadEnvironment(file); });
     }
+}
+
+// Half floats end at 65504, so a sun above that is infinite in them.
+TEST_F(EnvironmentTest, InfiniteLightIsTakenForTheLargestHalf) {
+    std::vector<float> pixels = greyBut({kInfinity, kInfinity, 5.0f}, 2, 1);
+    pixels[0] = kInfinity;
+    const std::filesystem::path file = writeExr({"R", "G", "B"}, pixels, 9);
+    const Environment sky = loadEnvironment(file);
+    EXPECT_EQ(sky.texels[11], glm::vec3(65504, 65504, 5));
+    EXPECT_EQ(sky.texels[0], glm::vec3(65504, 1, 1));
+    EXPECT_EQ(sky.texels[1], glm::vec3(1));
+    EXPECT_EQ(sky.warnings,
+              std::vector<std::string>(
+                  {file.string() + ": infinite light is taken for 65504; texels that have it: 2"}));
+    // In a map with finite light above that, infinite light is not darker.
+    pixels[3] = 1e6f;
+    EXPECT_EQ(loadEnvironment(writeExr({"R", "G", "B"}, pixels, 9)).texels[11], glm::vec3(1e6f, 1e6f, 5));
+}
+
+TEST_F(EnvironmentTest, LightThatIsNoNumberIsTakenForNone) {
+    const std::filesystem::path file = writeExr({"R", "G", "B"}, greyBut({kNan, 2.0f, kNan}, 2, 1), 9);
+    const Environment sky = loadEnvironment(file);
+    EXPECT_EQ(sky.texels[11], glm::vec3(0, 2, 0));
+    EXPECT_EQ(sky.warnings,
+              std::vector<std::string>(
+                  {file.string() + ": light that is no number is taken for 0; texels that have it: 1"}));
+}
+
+TEST_F(EnvironmentTest, MaximumKeepsColours) {
+    std::vector<float> pixels = greyBut({100.0f, 50.0f, 25.0f}, 2, 1);
+    pixels[0] = kInfinity;
+    const Environment sky = loadEnvironment(writeExr({"R", "G", "B"}, pixels, 9), 10.0f);
+    EXPECT_EQ(sky.texels[11], glm::vec3(10, 5, 2.5f));
+    EXPECT_EQ(sky.texels[0], glm::vec3(10, 1, 1));
+    EXPECT_EQ(sky.texels[1], glm::vec3(1));
+    EXPECT_EQ(sky.warnings.size(), 1u);
 }
 
 TEST_F(EnvironmentTest, ColoursOutsideRec709LoseTheirNegativeChannel) {

@@ -107,9 +107,57 @@ void mendNegativeLight(Environment& environment, const std::filesystem::path& fi
     }
 }
 
+// The sun in half floats: what is brighter than 65504 is stored as infinite.
+void mendInfiniteLight(Environment& environment, const std::filesystem::path& file,
+                       std::optional<float> maximum) {
+    constexpr float kLargestHalf = 65504.0f;
+    float brightest = kLargestHalf;
+    for (const glm::vec3& texel : environment.texels) {
+        for (int channel = 0; channel < 3; ++channel) {
+            brightest = std::isfinite(texel[channel]) ? std::max(brightest, texel[channel]) : brightest;
+        }
+    }
+    const float limit = maximum.value_or(brightest);
+    std::size_t infinite = 0;
+    std::size_t noNumber = 0;
+    for (glm::vec3& texel : environment.texels) {
+        bool hasInfinite = false;
+        bool hasNoNumber = false;
+        for (int channel = 0; channel < 3; ++channel) {
+            float& value = texel[channel];
+            if (std::isnan(value)) {
+                hasNoNumber = true;
+                value = 0.0f;
+            } else if (std::isinf(value) && value > 0.0f) {
+                hasInfinite = true;
+                value = limit;
+            }
+        }
+        infinite += hasInfinite ? 1 : 0;
+        noNumber += hasNoNumber ? 1 : 0;
+    }
+    if (infinite > 0) {
+        environment.warnings.push_back(fmt::format(
+            "{}: infinite light is taken for {}; texels that have it: {}", file.string(), limit, infinite));
+    }
+    if (noNumber > 0) {
+        environment.warnings.push_back(fmt::format(
+            "{}: light that is no number is taken for 0; texels that have it: {}", file.string(), noNumber));
+    }
+}
+
+// Keeps the colours of what is too bright.
+void dimTo(Environment& environment, float maximum) {
+    for (glm::vec3& texel : environment.texels) {
+        if (const float brightest = largest(texel); brightest > maximum) {
+            texel = glm::min(texel * (maximum / brightest), maximum);
+        }
+    }
+}
+
 } // namespace
 
-Environment loadEnvironment(const std::filesystem::path& file) {
+Environment loadEnvironment(const std::filesystem::path& file, const std::optional<float> maximum) {
     const Image image = readImage(file);
     const std::array<std::size_t, 3> channels = colorChannels(image, file);
     const bool encoded = isEncoded(image);
@@ -125,11 +173,12 @@ Environment loadEnvironment(const std::filesystem::path& file) {
             texel[c] = encoded ? decoded(value) : value;
         }
         environment.texels.push_back(texel);
-        if (!(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b))) {
-            refuseTexel(environment, i, file, "light is finite");
-        }
     }
+    mendInfiniteLight(environment, file, maximum);
     mendNegativeLight(environment, file);
+    if (maximum) {
+        dimTo(environment, *maximum);
+    }
     return environment;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,15 @@ struct Environment {
     std::vector<std::string> warnings; // one line each, for the user
 };
 
-// Reads any image that OpenImageIO supports. Alpha and further channels are ignored; grey is copied to all
-// colours. Negative channels become 0, with a warning, if the colour lies outside Rec. 709 or if a filter
-// that scaled the image undershot beside brighter light. Throws Error(inputRefused), naming the file and, if
-// one is at fault, the texel, for other negative light and for numbers that are not finite.
-Environment loadEnvironment(const std::filesystem::path& file);
+// Reads any image that readImage reads. Alpha and further channels are ignored; grey is copied to all
+// colours. With `maximum`, which is above 0, brighter texels are scaled until their largest channel is
+// `maximum`. Channels become, each with a warning that names the number of texels:
+// - `maximum` if they are infinite, or without it 65504, the largest half float, or the brightest channel of
+//   the map if that is more;
+// - 0 if they are no number;
+// - 0 if they are negative and the colour lies outside Rec. 709, or if a filter that scaled the image
+//   undershot beside brighter light.
+// Throws Error(inputRefused), naming the file and the texel, for other negative light.
+Environment loadEnvironment(const std::filesystem::path& file, std::optional<float> maximum = {});
 
 } // namespace metamarch
