@@ -40,6 +40,38 @@ class Descriptor {
     const int number; // -1: it could not be opened
 };
 
+// Returns the first `most` characters and dots, or all if there are no more. Keeps UTF-8 whole.
+std::string cut(const std::string& text, std::size_t most) {
+    if (text.size() <= most) {
+        return text;
+    }
+    std::size_t end = most;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+        --end;
+    }
+    return text.substr(0, end) + "...";
+}
+
+// Cuts every quotation and every word at kMostQuoted, and the whole at a length that fits a few lines of a
+// terminal.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kMost = 1000;
+    constexpr std::size_t kQuoted = InputFile::kMostQuoted;
+    std::string result;
+    for (std::size_t begin = 0; begin < text.size() && result.size() <= kMost;) {
+        const bool isQuotation = text[begin] == '\'';
+        const std::size_t found = text.find_first_of(isQuotation ? "'" : " '", begin + 1);
+        const std::size_t end = std::min(found, text.size());
+        const std::string piece = text.substr(begin, end - begin);
+        result += isQuotation ? '\'' + cut(piece.substr(1), kQuoted) : cut(piece, kQuoted);
+        if (isQuotation && end < text.size()) {
+            result += '\'';
+        }
+        begin = end + (isQuotation ? 1 : 0);
+    }
+    return cut(result, kMost);
+}
+
 } // namespace
 
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -104,7 +136,18 @@ std::string InputFile::whyNotReadable(const std::string& name) const {
     return std::filesystem::is_regular_file(status) ? "" : "is missing";
 }
 
-void InputFile::refuse(const std::string& what) const { throw Error(ErrorKind::inputRefused, line(what)); }
+std::string InputFile::portableName(const std::string& name) const {
+    if (whyNotReadable(name).empty()) {
+        return name;
+    }
+    std::string portable = name;
+    std::ranges::replace(portable, '\\', '/');
+    return portable;
+}
+
+void InputFile::refuse(const std::string& what, const std::vector<std::string>& settings) const {
+    throw Error(ErrorKind::inputRefused, line(what), settings);
+}
 
 void InputFile::refuseSize(const std::string& what) const { throw Error(ErrorKind::outOfMemory, line(what)); }
 
@@ -114,7 +157,9 @@ void InputFile::warn(const std::string& what) {
     }
 }
 
-std::string InputFile::line(const std::string& what) const { return oneLine(path_.string() + ": " + what); }
+std::string InputFile::line(const std::string& what) const {
+    return oneLine(path_.string() + ": " + shortened(what));
+}
 
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
     // A name that has become a pipe since it was looked at does not stop the program.

@@ -24,11 +24,17 @@ class InputFile {
 
     // companion() resolves a name in this file relative to the file's folder. whyNotReadable() says why that
     // file may not be read ("is missing"); empty if it may.
+    // portableName() returns the name with slashes for backslashes, which other systems write, unless the
+    // file exists under the name as it is.
     std::filesystem::path companion(const std::string& name) const { return path_.parent_path() / name; }
     std::string whyNotReadable(const std::string& name) const;
+    std::string portableName(const std::string& name) const;
 
-    // Both throw "<path>: <what>": refuse() as Error(inputRefused), refuseSize() as Error(outOfMemory).
-    [[noreturn]] void refuse(const std::string& what) const;
+    // Both throw "<path>: <what>": refuse() as Error(inputRefused), with the names of settings that the user
+    // may change, refuseSize() as Error(outOfMemory). In every message, names and values from the file are
+    // cut at kMostQuoted characters: they may be whole payloads.
+    static constexpr std::size_t kMostQuoted = 80;
+    [[noreturn]] void refuse(const std::string& what, const std::vector<std::string>& settings = {}) const;
     [[noreturn]] void refuseSize(const std::string& what) const;
 
     // Stores "<path>: <what>" for Scene::warnings. A line that is already stored is not repeated.

@@ -185,10 +185,62 @@ TEST(GltfRefusal, RequiredExtension) {
     const Scene scene = file.load();
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(scene.warnings[0].ends_with("extensionsUsed: ignoring ACME_paint, ACME_wobble"));
-    for (const char* name : {"ACME_wobble", "KHR_texture_basisu", "KHR_materials_wobble", ""}) {
+    for (const char* name : {"ACME_wobble", "KHR_materials_wobble", ""}) {
         file.root["extensionsRequired"] = {"KHR_texture_transform", name};
         EXPECT_EQ(file.refusal(), "extensionsRequired: " + std::string(name) + " is not supported");
     }
+}
+
+// Names and values may be whole payloads.
+TEST(GltfRefusal, QuotesAreCut) {
+    const std::string letters(5000, 'x');
+    const std::string cut = std::string(80, 'x') + "...";
+    TriangleFile file;
+    file.root["buffers"] = {{{"uri", letters}, {"byteLength", 36}}};
+    EXPECT_EQ(file.refusal(), "buffer 0: '" + cut + "' is missing");
+    file.root["buffers"][0]["uri"] = "data:application/octet-stream," + letters;
+    EXPECT_EQ(file.refusal(), "buffer 0: a data URI that is not base64");
+    file.root["buffers"][0]["uri"] = "data:application/octet-stream;base64,!" + letters;
+    EXPECT_LT(file.refusal().size(), 200u);
+    file.root.erase("buffers");
+    file.root["materials"] = {{{"alphaMode", letters}}};
+    EXPECT_EQ(file.refusal(), "material 0: alphaMode '" + cut + "' is none of OPAQUE, MASK, BLEND");
+    std::string words;
+    for (int i = 0; i < 1000; ++i) {
+        words += "word ";
+    }
+    file.root["materials"][0]["alphaMode"] = words;
+    EXPECT_EQ(file.refusal(),
+              "material 0: alphaMode '" + words.substr(0, 80) + "...' is none of OPAQUE, MASK, BLEND");
+    file.root["materials"] = {{{"alphaCutoff", Json::array()}}};
+    file.root["materials"][0]["alphaCutoff"] = std::vector<int>(5000, 1);
+    EXPECT_LT(file.refusal().size(), 200u);
+    // A cut does not fall into a character.
+    file.root["materials"] = {{{"alphaMode", std::string(79, 'x') + "äöü"}}};
+    EXPECT_EQ(file.refusal(),
+              "material 0: alphaMode '" + std::string(79, 'x') + "...' is none of OPAQUE, MASK, BLEND");
+    const std::filesystem::path path = file.folder / "prose.gltf";
+    writeFile(path, "{\"asset\": " + letters);
+    EXPECT_LT(refusalOf(path).size(), 400u);
+}
+
+TEST(GltfRefusal, VersionsAsNumbers) {
+    for (const Json& version : {Json(2), Json(2.0)}) {
+        TriangleFile file;
+        file.root["asset"]["version"] = version;
+        const Scene scene = file.load();
+        EXPECT_EQ(scene.triangles.size(), 1u);
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_TRUE(scene.warnings[0].ends_with("asset.version: the number " + version.dump() +
+                                                " is taken for the text \"2.0\""));
+    }
+    TriangleFile file;
+    file.root["asset"]["version"] = 1;
+    EXPECT_EQ(file.refusal(), "asset.version: glTF 1.0 is not supported, glTF 2.0 is");
+    file.root["asset"]["version"] = Json::array();
+    EXPECT_EQ(file.refusal(), "asset.version: [] is not a version of glTF such as \"2.0\"");
+    file.root["asset"] = Json::object();
+    EXPECT_EQ(file.refusal(), "asset.version is missing");
 }
 
 TEST(GltfRefusal, JsonTooDeep) {

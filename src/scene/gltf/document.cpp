@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/document.h"
 
+#include "metamarch/scene/gltf/buffer.h"
 #include "metamarch/scene/gltf/draco.h"
 #include "metamarch/scene/gltf/extension.h"
 #include "metamarch/scene/gltf/glb_container.h"
 #include "metamarch/scene/gltf/meshopt.h"
-#include "metamarch/scene/gltf/uri.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string_view>
 
 namespace metamarch {
@@ -33,8 +34,8 @@ constexpr std::array<std::string_view, 13> kIndexKeys = {
 
 // kElementKeys are read by GltfElement in place of tinygltf; kSharedKeys by both, because of their
 // extensions.
-constexpr std::array<const char*, 7> kElementKeys = {"animations", "extensions", "images",  "materials",
-                                                     "samplers",   "skins",      "textures"};
+constexpr std::array<const char*, 8> kElementKeys = {"animations", "buffers",  "extensions", "images",
+                                                     "materials",  "samplers", "skins",      "textures"};
 constexpr std::array<const char*, 3> kSharedKeys = {"bufferViews", "meshes", "nodes"};
 
 template <std::size_t N>
@@ -83,17 +84,34 @@ void checkIntegers(const InputFile& file, const Json& value, std::string_view ke
     }
 }
 
-void checkVersion(const InputFile& file, const Json& root) {
+// Returns a version as text. One that is written as a number is taken for its text, after a warning.
+std::string versionText(InputFile& file, const std::string& key, const Json& version) {
+    if (version.is_string()) {
+        return version.get<std::string>();
+    }
+    if (!version.is_number()) {
+        file.refuse(key + ": " + version.dump() + " is not a version of glTF such as \"2.0\"");
+    }
+    const std::string text = version.is_number_integer() ? version.dump() + ".0" : version.dump();
+    file.warn(key + ": the number " + version.dump() + " is taken for the text \"" + text + '"');
+    return text;
+}
+
+// Leaves the versions as text, which is how tinygltf wants them.
+void checkVersion(InputFile& file, Json& root) {
     const auto asset = root.find("asset");
-    if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
-        !(*asset)["version"].is_string()) {
+    if (asset == root.end() || !asset->is_object() || !asset->contains("version")) {
         file.refuse("asset.version is missing");
     }
-    for (const char* key : {"version", "minVersion"}) {
-        const std::string version = asset->contains(key) ? (*asset)[key].get<std::string>() : "2.0";
-        if (key == std::string_view("minVersion") ? version != "2.0" : !version.starts_with("2.")) {
-            file.refuse("asset." + std::string(key) + ": glTF " + version + " is not supported, glTF 2.0 is");
+    for (const std::string key : {"version", "minVersion"}) {
+        if (!asset->contains(key)) {
+            continue;
         }
+        const std::string version = versionText(file, "asset." + key, (*asset)[key]);
+        if (key == "minVersion" ? version != "2.0" : !version.starts_with("2.")) {
+            file.refuse("asset." + key + ": glTF " + version + " is not supported, glTF 2.0 is");
+        }
+        (*asset)[key] = version;
     }
 }
 
@@ -116,25 +134,6 @@ void checkExtensions(InputFile& file, const Json& root) {
     }
     if (!unknown.empty()) {
         file.warn("extensionsUsed: ignoring " + unknown);
-    }
-}
-
-// Makes every buffer's URI one that tinygltf reads as intended, or refuses it. A buffer that stands for
-// decoded bytes has no URI; it gets a single byte instead.
-void checkBufferUris(const InputFile& file, Json& root) {
-    const auto buffers = root.find("buffers");
-    if (buffers == root.end()) {
-        return;
-    }
-    for (std::size_t i = 0; i < buffers->size(); ++i) {
-        Json& buffer = (*buffers)[i];
-        const Json* meshopt = canDecompressMeshopt() ? meshoptExtension(buffer) : nullptr;
-        if (meshopt != nullptr && meshopt->value("fallback", false)) {
-            buffer = {{"byteLength", 1u}, {"uri", "data:application/octet-stream;base64,AA=="}};
-        } else if (buffer.contains("uri")) {
-            buffer["uri"] =
-                checkedBufferUri(file, "buffer " + std::to_string(i), buffer["uri"].get<std::string>());
-        }
     }
 }
 
@@ -163,6 +162,21 @@ void eraseExtensions(Json& value) {
         if (member.is_structured()) {
             eraseExtensions(member);
         }
+    }
+}
+
+// tinygltf refuses strides that glTF 2.0 does not allow, although they can be read.
+void eraseStrides(Json& root) {
+    if (const auto views = root.find("bufferViews"); views != root.end()) {
+        for (Json& view : *views) {
+            view.erase("byteStride");
+        }
+    }
+}
+
+void restoreStrides(GltfDocument& document) {
+    for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
+        document.model.bufferViews[i].byteStride = document.json["bufferViews"][i].value("byteStride", 0u);
     }
 }
 
@@ -204,10 +218,10 @@ Json checkedJson(InputFile& file, Json root, std::string& text) {
     checkExtensions(file, root);
     checkObjects(file, root);
     Json elements = takeElements(root);
-    checkBufferUris(file, root);
     eraseCompressedIndices(root);
     eraseExtensions(root);
     checkIntegers(file, root, "", "");
+    eraseStrides(root);
     text = root.dump();
     return elements;
 }
@@ -215,32 +229,21 @@ Json checkedJson(InputFile& file, Json root, std::string& text) {
 } // namespace
 
 GltfDocument readGltf(InputFile& file) {
-    std::vector<unsigned char> bytes = file.read();
-    const bool binary = isGlb(bytes);
-    const ByteRange json = binary ? glbJson(file, bytes) : ByteRange{0, bytes.size()};
-    if (!binary && bytes.size() > std::numeric_limits<std::uint32_t>::max()) {
-        file.refuse("a .gltf of more than 4 GiB");
-    }
-
-    tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks(readOnlyBeside(file));
+    const std::vector<unsigned char> bytes = file.read();
+    const GlbChunks chunks = isGlb(bytes) ? glbChunks(file, bytes) : GlbChunks{{0, bytes.size()}, {}};
     GltfDocument document;
     std::string errors;
     std::string warnings;
     bool parsed = false;
     try {
         std::string checked;
-        document.json =
-            checkedJson(file, parseJson(file, bytes.data() + json.begin, bytes.data() + json.end), checked);
-        const std::string folder = file.path().parent_path().string();
-        if (binary) {
-            replaceGlbJson(file, bytes, json, checked);
-            parsed = parser.LoadBinaryFromMemory(&document.model, &errors, &warnings, bytes.data(),
-                                                 static_cast<unsigned int>(bytes.size()), folder);
-        } else {
-            parsed = parser.LoadASCIIFromString(&document.model, &errors, &warnings, checked.data(),
-                                                static_cast<unsigned int>(checked.size()), folder);
+        document.json = checkedJson(
+            file, parseJson(file, bytes.data() + chunks.json.begin, bytes.data() + chunks.json.end), checked);
+        if (checked.size() > std::numeric_limits<std::uint32_t>::max()) {
+            file.refuse("more than 4 GiB of JSON");
         }
+        parsed = tinygltf::TinyGLTF().LoadASCIIFromString(&document.model, &errors, &warnings, checked.data(),
+                                                          static_cast<unsigned int>(checked.size()), "");
     } catch (const Json::exception& failure) {
         file.refuse(std::string("not glTF: ") + failure.what());
     }
@@ -248,6 +251,9 @@ GltfDocument readGltf(InputFile& file) {
     if (!parsed || !errors.empty()) {
         file.refuse("not glTF: " + (errors.empty() ? std::string("no reason given") : errors));
     }
+    restoreStrides(document);
+    readBuffers(document, file,
+                std::span(bytes).subspan(chunks.binary.begin, chunks.binary.end - chunks.binary.begin));
     decompressMeshopt(document, file);
     decompressDraco(document, file);
     return document;

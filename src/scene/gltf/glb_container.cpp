@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 namespace metamarch {
 namespace {
@@ -21,18 +20,13 @@ std::uint32_t loadWord(const std::vector<unsigned char>& bytes, std::size_t offs
     return word;
 }
 
-void storeWord(std::vector<unsigned char>& bytes, std::size_t offset, std::size_t value) {
-    const auto word = static_cast<std::uint32_t>(value);
-    std::memcpy(bytes.data() + offset, &word, sizeof word);
-}
-
 } // namespace
 
 bool isGlb(const std::vector<unsigned char>& bytes) {
     return bytes.size() >= 4 && loadWord(bytes, 0) == kMagic;
 }
 
-ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
+GlbChunks glbChunks(const InputFile& file, const std::vector<unsigned char>& bytes) {
     if (bytes.size() < kHeaderSize + kChunkHeaderSize) {
         file.refuse("GLB header is cut off");
     }
@@ -47,7 +41,6 @@ ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
     if (length < kHeaderSize + kChunkHeaderSize) {
         file.refuse("GLB length " + std::to_string(length) + " leaves no room for a chunk");
     }
-    bytes.resize(length);
 
     const std::uint64_t jsonLength = loadWord(bytes, kHeaderSize);
     if (loadWord(bytes, kHeaderSize + 4) != kJsonChunk) {
@@ -59,7 +52,7 @@ ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
                     std::to_string(length));
     }
     if (json.end == length) {
-        return json;
+        return {json, {}};
     }
 
     if (length - json.end < kChunkHeaderSize) {
@@ -70,33 +63,12 @@ ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes) {
         file.refuse("GLB chunk 1 of " + std::to_string(binaryLength) + " bytes reaches past the GLB length " +
                     std::to_string(length));
     }
-    // Drop later chunks: they belong to extensions that we do not support. The same holds for a second chunk
-    // of another type or without content.
-    const bool hasBinary = loadWord(bytes, json.end + 4) == kBinChunk && binaryLength > 0;
-    bytes.resize(hasBinary ? json.end + kChunkHeaderSize + binaryLength : json.end);
-    return json;
-}
-
-void replaceGlbJson(const InputFile& file, std::vector<unsigned char>& bytes, ByteRange json,
-                    const std::string& text) {
-    const std::size_t padded = (text.size() + 3) / 4 * 4;
-    const std::size_t length = bytes.size() - (json.end - json.begin) + padded;
-    if (length > std::numeric_limits<std::uint32_t>::max()) {
-        file.refuse("a GLB of more than 4 GiB");
+    // A second chunk of another type belongs to an extension that is not read.
+    if (loadWord(bytes, json.end + 4) != kBinChunk) {
+        return {json, {}};
     }
-
-    const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(json.begin);
-    const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(json.end);
-    const std::size_t old = json.end - json.begin;
-    if (padded <= old) {
-        bytes.erase(begin + static_cast<std::ptrdiff_t>(padded), end);
-    } else {
-        bytes.insert(end, padded - old, ' ');
-    }
-    std::memset(bytes.data() + json.begin, ' ', padded);
-    std::memcpy(bytes.data() + json.begin, text.data(), text.size());
-    storeWord(bytes, kLengthOffset, length);
-    storeWord(bytes, kHeaderSize, padded);
+    const std::size_t begin = json.end + kChunkHeaderSize;
+    return {json, {begin, begin + binaryLength}};
 }
 
 } // namespace metamarch

@@ -4,7 +4,6 @@
 #include "metamarch/file/input_file.h"
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace metamarch {
@@ -16,12 +15,13 @@ struct ByteRange {
 
 bool isGlb(const std::vector<unsigned char>& bytes);
 
-// Returns where the JSON lies. Throws Error(inputRefused) if the lengths of header and chunks do not agree
-// with the file's size. Cuts off bytes behind the declared length.
-ByteRange glbJson(const InputFile& file, std::vector<unsigned char>& bytes);
+struct GlbChunks {
+    ByteRange json;
+    ByteRange binary; // empty if there is none
+};
 
-// Replaces the JSON by `text` and updates the lengths.
-void replaceGlbJson(const InputFile& file, std::vector<unsigned char>& bytes, ByteRange json,
-                    const std::string& text);
+// Returns where the chunks lie. Throws Error(inputRefused) if the lengths of header and chunks do not agree
+// with the file's size. Bytes behind the declared length and later chunks are ignored.
+GlbChunks glbChunks(const InputFile& file, const std::vector<unsigned char>& bytes);
 
 } // namespace metamarch

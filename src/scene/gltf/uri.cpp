@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/uri.h"
 
+#include <tiny_gltf.h>
+
 #include <cctype>
-#include <string_view>
 
 namespace metamarch {
 namespace {
@@ -17,56 +18,7 @@ std::optional<std::string> octetStream(const std::string& dataUri) {
     return "data:application/octet-stream" + dataUri.substr(encoding);
 }
 
-// tinygltf turns '+' into a space and decodes bad escapes arbitrarily. If every unusual byte is escaped, it
-// can only arrive at the name that was checked.
-std::string percentEncoded(const std::string& name) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string encoded;
-    for (const unsigned char c : name) {
-        if (std::isalnum(c) != 0 || c == '.' || c == '/') {
-            encoded += static_cast<char>(c);
-        } else {
-            encoded.append({'%', kDigits[c >> 4], kDigits[c & 15]});
-        }
-    }
-    return encoded;
-}
-
-bool isReadable(const std::string& path, void* file) {
-    std::error_code failure;
-    return static_cast<const InputFile*>(file)->isBeside(path) &&
-           std::filesystem::is_regular_file(path, failure);
-}
-
-bool readWhole(std::vector<unsigned char>* bytes, std::string* error, const std::string& path, void* file) {
-    std::optional<std::vector<unsigned char>> read;
-    if (isReadable(path, file)) {
-        read = readBytes(path);
-    }
-    if (!read) {
-        *error += "cannot be read";
-        return false;
-    }
-    *bytes = std::move(*read);
-    return true;
-}
-
 } // namespace
-
-std::string checkedBufferUri(const InputFile& file, const std::string& label, const std::string& uri) {
-    if (isDataUri(uri)) {
-        const std::optional<std::string> known = octetStream(uri);
-        if (!known) {
-            file.refuse(label + ": a data URI that is not base64");
-        }
-        return *known;
-    }
-    const std::string decoded = fileNameOfUri(uri);
-    if (const std::string reason = file.whyNotReadable(decoded); !reason.empty()) {
-        file.refuse(label + ": '" + decoded + "' " + reason);
-    }
-    return percentEncoded(decoded);
-}
 
 bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
 
@@ -93,14 +45,6 @@ std::string fileNameOfUri(const std::string& uri) {
         }
     }
     return decoded;
-}
-
-tinygltf::FsCallbacks readOnlyBeside(InputFile& file) {
-    return {.FileExists = isReadable,
-            .ExpandFilePath = [](const std::string& path, void*) { return path; },
-            .ReadWholeFile = readWhole,
-            .WriteWholeFile = nullptr,
-            .user_data = &file};
 }
 
 } // namespace metamarch
