@@ -84,21 +84,43 @@ TEST(TextureDecoder, TargaIsKnownByItsEnding) {
 // An image cut off anywhere gives a failure and nothing else, nor any output on stderr.
 TEST(TextureDecoder, CutOffAnywhere) {
     testing::internal::CaptureStderr();
-    const std::vector<std::string> files = {
-        pngFile(2, 2, 4, std::vector<unsigned char>(16, 7)),
-        jpegFile(),
-        hdrFile(2, 2, std::vector<unsigned char>(16, 128)),
+    // The last chunk of a PNG, the last marker of a JPEG and the padding of a WebP carry no data.
+    const std::vector<std::pair<std::string, std::size_t>> files = {
+        {pngFile(2, 2, 4, std::vector<unsigned char>(16, 7)), 12},
+        {jpegFile(), 4},
+        {hdrFile(2, 2, std::vector<unsigned char>(16, 128)), 0},
 #ifdef METAMARCH_WEBP
-        webpFile(),
+        {webpFile(), 4},
 #endif
     };
-    for (const std::string& file : files) {
-        // The last marker of a JPEG and the padding of a WebP carry no data.
-        for (std::size_t size = 0; size + 4 < file.size(); ++size) {
+    for (const auto& [file, end] : files) {
+        for (std::size_t size = 0; size + end < file.size(); ++size) {
             EXPECT_NE(failure(file.substr(0, size)), "nothing failed") << size << " of " << file.size();
         }
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(TextureDecoder, FlawsThatHideNoTexel) {
+    const std::string png = pngFile(2, 1, 1, {10, 20});
+    for (std::size_t missing = 1; missing <= 12; ++missing) {
+        const DecodedTexture decoded = decode(png.substr(0, png.size() - missing));
+        EXPECT_EQ(decoded.image.bytes, Bytes({{10, 10, 10, 255}, {20, 20, 20, 255}}));
+        EXPECT_EQ(decoded.flaw, "has no end mark");
+    }
+    EXPECT_EQ(decode(png).flaw, "");
+    // A comment with a wrong check sum, behind the header.
+    const std::string comment("\0\0\0\3tEXta\0b\1\2\3\4", 15);
+    const DecodedTexture decoded = decode(png.substr(0, 33) + comment + png.substr(33));
+    EXPECT_EQ(decoded.image.bytes, Bytes({{10, 10, 10, 255}, {20, 20, 20, 255}}));
+    EXPECT_EQ(decoded.flaw, "has a wrong check sum in a chunk that holds no texels");
+    // Transparency is ancillary, but texels depend on it.
+    const std::string transparency("\0\0\0\2tRNS\0\x0a\1\2\3\4", 14);
+    EXPECT_EQ(failure(png.substr(0, 33) + transparency + png.substr(33)), "has a wrong check sum");
+    const std::string jpeg = jpegFile();
+    EXPECT_EQ(decode(jpeg.substr(0, jpeg.size() - 2)).flaw, "has no end mark");
+    EXPECT_EQ(decode(jpeg.substr(0, jpeg.size() - 1)).flaw, "has no end mark");
+    EXPECT_EQ(decode(jpeg).flaw, "");
 }
 
 TEST(TextureDecoder, WrongCheckSum) {
@@ -115,6 +137,13 @@ TEST(TextureDecoder, SizesOfHostileHeaders) {
     EXPECT_NE(failure(pngFile(16000, 16000, 1, {})), "nothing failed");
     EXPECT_NE(failure(hdrFile(16000, 16000, {1, 2, 3, 4})), "nothing failed");
     testing::internal::GetCapturedStderr();
+}
+
+TEST(TextureDecoder, AvifIsNamed) {
+    EXPECT_EQ(failure(std::string("\0\0\0\x1c"
+                                  "ftypavif",
+                                  12)),
+              "is an AVIF or HEIF picture (EXT_texture_avif), which is not supported");
 }
 
 TEST(TextureDecoder, KtxIsNamed) {

@@ -2,6 +2,7 @@
 #include "metamarch/scene/mesh/mtl_material.h"
 
 #include "metamarch/scene/mesh/companion_name.h"
+#include "metamarch/scene/texture/height_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -177,7 +178,7 @@ void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) 
     } else if (source.bumpMap.isGiven()) {
         TextureSource image =
             source.bumpMap.channel == '\0' ? sourceOf(source.bumpMap) : greySource(source.bumpMap, {0, 1, 2});
-        image.isHeight = true;
+        image.edit = heightsToNormals;
         material.normalTexture = add(source.bumpMap, std::move(image), false);
         material.normalScale = source.bumpMap.bumpMultiplier * source.bumpMap.gain;
     }
@@ -215,7 +216,7 @@ TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<i
 TextureRef MtlTextures::add(const MtlMap& map, TextureSource source, bool isSrgb) {
     const auto samePicture = [&source](const TextureSource& other) {
         return other.name == source.name && (other.read == nullptr) == (source.read == nullptr) &&
-               other.isHeight == source.isHeight &&
+               (other.edit == nullptr) == (source.edit == nullptr) &&
                std::ranges::equal(
                    other.overlays, source.overlays, [](const TextureOverlay& a, const TextureOverlay& b) {
                        return a.source.name == b.source.name && a.channel == b.channel && a.from == b.from;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/texture/texture_decoder.h"
 
-#include "metamarch/scene/texture/png_check.h"
+#include "metamarch/scene/texture/png_mend.h"
 #include "metamarch/scene/texture/webp_decoder.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 namespace metamarch {
 namespace {
@@ -53,6 +54,9 @@ Format formatOf(std::span<const unsigned char> bytes, const std::string& ending)
     }
     if (start.starts_with("\xabKTX")) {
         throw TextureFailure("is a KTX texture (KHR_texture_basisu), which is not supported");
+    }
+    if (start.size() > 4 && start.substr(4).starts_with("ftyp")) {
+        throw TextureFailure("is an AVIF or HEIF picture (EXT_texture_avif), which is not supported");
     }
     throw TextureFailure("is no picture of a known format");
 }
@@ -138,16 +142,7 @@ TextureImage decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
     return image;
 }
 
-} // namespace
-
-DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::string& ending) {
-    const Format format = formatOf(bytes, ending);
-    if (format.name == "webp"sv) {
-        return {decodeWebp(bytes), false};
-    }
-    if (format.name == "png"sv) {
-        checkPng(bytes);
-    }
+TextureImage decode(std::span<const unsigned char> bytes, const Format& format) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format.name);
     if (input == nullptr) {
         throw TextureFailure("is " + std::string(format.name) + ", which this OpenImageIO cannot read");
@@ -159,7 +154,39 @@ DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::st
     if (!input->set_ioproxy(&memory) || !input->open(std::string("texture.") + format.name, spec, request)) {
         throw TextureFailure("cannot be decoded: " + input->geterror());
     }
-    return {decode(*input, spec), format.isLinear};
+    return decode(*input, spec);
+}
+
+// A JPEG without its last marker is complete if it decodes without complaint once it has one.
+DecodedTexture decodeJpeg(std::span<const unsigned char> bytes, const Format& format) {
+    try {
+        return {decode(bytes, format)};
+    } catch (const TextureFailure&) {
+        std::vector<unsigned char> ended(bytes.begin(), bytes.end());
+        ended.insert(ended.end(), {0xff, 0xd9});
+        try {
+            return {decode(ended, format), false, "has no end mark"};
+        } catch (const TextureFailure&) { // the first failure says more
+        }
+        throw;
+    }
+}
+
+} // namespace
+
+DecodedTexture decodeTexture(std::span<const unsigned char> bytes, const std::string& ending) {
+    const Format format = formatOf(bytes, ending);
+    if (format.name == "webp"sv) {
+        return {decodeWebp(bytes)};
+    }
+    if (format.name == "jpeg"sv) {
+        return decodeJpeg(bytes, format);
+    }
+    if (format.name == "png"sv) {
+        const MendedPng png = mendPng(bytes);
+        return {decode(png.bytes.empty() ? bytes : png.bytes, format), false, png.flaw};
+    }
+    return {decode(bytes, format), format.isLinear};
 }
 
 } // namespace metamarch

@@ -18,6 +18,9 @@ class TextureFailure : public std::runtime_error {
 struct DecodedTexture {
     TextureImage image;    // the name is left empty
     bool isLinear = false; // true for formats that never encode colours: OpenEXR, Radiance HDR
+    // What is wrong with the file although all texels are there, without the texture's name: "has no end
+    // mark". Empty if nothing is.
+    std::string flaw{};
 };
 
 // Decodes PNG, JPEG, WebP, OpenEXR, Radiance HDR, TIFF, BMP and GIF, recognised by their first bytes. TGA has

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/texture/texture_loader.h"
 
-#include "metamarch/scene/texture/height_map.h"
 #include "metamarch/scene/texture/texture_decoder.h"
 
 #include <tbb/parallel_for.h>
@@ -19,6 +18,7 @@ constexpr std::uint32_t kUnused = 0xffffffffu;
 struct Loaded {
     DecodedTexture texture;
     std::string failure; // empty if there is a texture
+    std::string flaw;    // for a warning; empty if there is none
 };
 
 std::size_t texelCount(const TextureImage& image) {
@@ -94,18 +94,25 @@ DecodedTexture decode(const TextureSource& source) {
     }
 }
 
+std::string flawOf(const TextureSource& source, const DecodedTexture& texture) {
+    return texture.flaw.empty() ? "" : source.name + ' ' + texture.flaw;
+}
+
 Loaded load(const TextureSource& source) {
     try {
         DecodedTexture texture = decode(source);
+        std::string flaw = flawOf(source, texture);
         for (const TextureOverlay& over : source.overlays) {
-            overlay(texture.image, decode(over.source).image, over.channel, over.from);
+            const DecodedTexture upper = decode(over.source);
+            overlay(texture.image, upper.image, over.channel, over.from);
+            flaw = flaw.empty() ? flawOf(over.source, upper) : flaw;
         }
-        if (source.isHeight) {
-            heightsToNormals(texture.image);
+        if (source.edit != nullptr) {
+            source.edit(texture.image);
         }
-        return {std::move(texture), ""};
+        return {std::move(texture), "", std::move(flaw)};
     } catch (const TextureFailure& failure) {
-        return {{}, failure.what()};
+        return {{}, failure.what(), ""};
     }
 }
 
@@ -153,11 +160,14 @@ class TextureLoader {
                           [&](std::size_t i) { loaded[i] = metamarch::load(sources_[wanted[i]]); });
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             if (!loaded[i].failure.empty() && !allowMissing) {
-                file_.refuse(loaded[i].failure);
+                file_.refuse(loaded[i].failure, {"allowMissingTextures"});
             }
             if (!loaded[i].failure.empty()) {
                 file_.warn(loaded[i].failure + "; its uses are left out");
                 continue;
+            }
+            if (!loaded[i].flaw.empty()) {
+                file_.warn(loaded[i].flaw);
             }
             newImage_[wanted[i]] = static_cast<std::uint32_t>(scene_.images.size());
             isLinear_[wanted[i]] = loaded[i].texture.isLinear;
@@ -202,7 +212,8 @@ void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource
     TextureLoader(scene, file, sources).load(allowMissing);
 }
 
-TextureSource fileSource(const InputFile& file, const std::string& name) {
+TextureSource fileSource(const InputFile& file, const std::string& nameInFile) {
+    const std::string name = file.portableName(nameInFile);
     const auto read = [&file, name] {
         if (const std::string reason = file.whyNotReadable(name); !reason.empty()) {
             throw TextureFailure(reason);

@@ -19,8 +19,8 @@ struct TextureSource {
     // Returns the encoded image. Throws TextureFailure. May be called on any thread. Null means a white
     // texel.
     std::function<std::vector<unsigned char>()> read;
-    std::vector<TextureOverlay> overlays{}; // applied in order
-    bool isHeight = false;                  // then becomes a normal map (texture/height_map.h)
+    std::vector<TextureOverlay> overlays{};    // applied in order
+    std::function<void(TextureImage&)> edit{}; // applied after the overlays; may be null
 };
 
 // Replaces a channel of another image by one of this image. The smaller image is enlarged without filtering.
@@ -40,7 +40,7 @@ struct TextureOverlay {
 void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource>& sources,
                   bool allowMissing);
 
-// Returns the source for an image file; `name` is relative to the scene file's folder.
-TextureSource fileSource(const InputFile& file, const std::string& name);
+// Returns the source for an image file; its name is relative to the scene file's folder.
+TextureSource fileSource(const InputFile& file, const std::string& nameInFile);
 
 } // namespace metamarch
