@@ -24,6 +24,8 @@ void declareImport(SettingList& list, ImportOptions& options) {
     list.beginGroup("Scene");
     list.add("scale", Setting::Kind::value, scaleAccess(options.scale), "Multiply the scene by S")
         .withValueName("S");
+    list.text("scene", options.scene, "Scene of a file that has several (default: the file's own choice)")
+        .withValueName("NAME|INDEX");
     list.text("variant", options.variant, "Material variant (default: the file's own materials)")
         .withValueName("NAME|INDEX");
     list.number("time", options.time, {.wanted = "finite seconds"},

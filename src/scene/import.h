@@ -14,6 +14,9 @@ struct ImportOptions {
     // Multiplies all positions, cameras and material lengths, and, by its square, the intensity of point and
     // spot lights, so that the picture stays the same. Finite, not zero.
     float scale = 1.0f;
+    // A scene of the file, by name or index; empty: the one that the file shows by default. Mesh files have
+    // one scene.
+    std::string scene{};
     // A variant of KHR_materials_variants; empty: the materials that the primitives name.
     std::string variant{};
     // The time in seconds at which all animations (or only `animation`, a name or an index) pose the nodes.
@@ -27,7 +30,7 @@ struct ImportOptions {
 
 // Reads glTF 2.0 (.gltf, .glb) with tinygltf, and OBJ, PLY, OFF and STL; the file's ending decides. Throws
 // Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite, and
-// Error(invalidArgument), listing the existing ones, for an unknown variant or animation.
+// Error(invalidArgument), listing the existing ones, for an unknown scene, variant or animation.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 } // namespace metamarch

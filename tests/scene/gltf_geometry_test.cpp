@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How valid glTF geometry is imported, number by number.
+#include "fixtures/expect_error.h"
+#include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
+#include "scene/picture_file.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace metamarch {
@@ -28,7 +33,8 @@ TEST(GltfGeometry, TrianglesWithoutIndices) {
     EXPECT_EQ(scene.normals, std::vector<glm::vec3>(3, glm::vec3(0)));
     EXPECT_EQ(scene.texCoords, std::vector<glm::vec2>(3, glm::vec2(0)));
     EXPECT_EQ(scene.triangleMesh, std::vector<std::uint32_t>({0}));
-    EXPECT_EQ(scene.triangleMaterial, std::vector<std::uint32_t>({kNoMaterial}));
+    EXPECT_EQ(scene.triangleMaterial, std::vector<std::uint32_t>({0}));
+    EXPECT_EQ(scene.materials.size(), 1u); // the default material
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].name, "body");
     EXPECT_TRUE(scene.warnings.empty());
@@ -132,6 +138,68 @@ TEST(GltfGeometry, InterleavedByStride) {
     EXPECT_EQ(scene.positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(scene.normals, std::vector<glm::vec3>(3, glm::vec3(0, 0, 1)));
     EXPECT_EQ(scene.texCoords, std::vector<glm::vec2>({{0.25f, 0.5f}, {0.5f, 0.5f}, {0.75f, 1.0f}}));
+}
+
+// glTF 2.0 allows strides up to 252 in steps of 4. Others can be read as well.
+TEST(GltfGeometry, StridesThatGltfDoesNotAllow) {
+    for (const std::size_t stride : {13u, 300u}) {
+        GltfFile file;
+        std::vector<unsigned char> bytes(2 * stride + 12);
+        const float corners[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            std::memcpy(&bytes[i * stride], corners[i], 12);
+        }
+        const int view = file.addView(bytes);
+        file.root["bufferViews"][0]["byteStride"] = stride;
+        file.primitive()["attributes"]["POSITION"] =
+            file.addAccessor({{"bufferView", view}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
+        EXPECT_EQ(file.load().positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    }
+}
+
+// glTF 2.0, 3.6.1.1: a buffer has at least byteLength bytes.
+TEST(GltfGeometry, BuffersLongerThanTheirByteLength) {
+    TriangleFile file;
+    file.write();
+    file.root["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", 36}}};
+    std::ofstream(file.folder / "scene.bin", std::ios::app) << "and more";
+    writeFile(file.folder / "file.gltf", file.root.dump());
+    std::ifstream stream(file.folder / "scene.bin", std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    file.root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
+    writeFile(file.folder / "data.gltf", file.root.dump());
+    for (const char* name : {"file.gltf", "data.gltf"}) {
+        const Scene scene = loadScene(file.folder / name);
+        EXPECT_EQ(scene.positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+        EXPECT_TRUE(scene.warnings.empty());
+    }
+}
+
+// What is not there matters only to what refers to it.
+TEST(GltfGeometry, BufferShorterThanItsByteLength) {
+    TriangleFile file;
+    file.root["buffers"] = {{{"uri", "scene.bin"}, {"byteLength", 40}}};
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangles.size(), 1u);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("buffer 0: its byteLength is 40, but only 36 bytes are there"));
+    file.root["bufferViews"][0]["byteLength"] = 40;
+    EXPECT_EQ(file.refusal(),
+              "mesh 'body' primitive 0: POSITION: accessor 0: buffer view 0 reaches past the end of "
+              "buffer 0 (offset 0, length 40, buffer 36 bytes)");
+}
+
+// A file that thousands of buffers name is read and kept once.
+TEST(GltfGeometry, BuffersOfTheSameFile) {
+    TriangleFile file;
+    for (int i = 0; i < 5000; ++i) {
+        const std::string uri = i % 2 == 0 ? "scene.bin" : "./scene.bin";
+        file.root["buffers"].push_back({{"uri", uri}, {"byteLength", 36}});
+    }
+    file.root["bufferViews"][0]["buffer"] = 4999;
+    const std::filesystem::path path = file.write();
+    std::ofstream(file.folder / "scene.bin", std::ios::app) << std::string(1 << 20, ' ');
+    EXPECT_EQ(loadScene(path).positions, std::vector<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 template <typename T>
@@ -273,6 +341,50 @@ TEST(GltfGeometry, DefaultScene) {
     EXPECT_EQ(file.load().meshes.size(), 2u);
 }
 
+TEST(GltfGeometry, SceneByNameOrIndex) {
+    TriangleFile file;
+    file.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 1}}}};
+    file.root["scenes"] = {{{"name", "near"}, {"nodes", {1}}}, {{"name", "far"}, {"nodes", {0}}}};
+    EXPECT_EQ(file.load({.scene = "far"}).positions[0].z, 0.0f);
+    EXPECT_EQ(file.load({.scene = "0"}).positions[0].z, 1.0f);
+    expectError(ErrorKind::invalidArgument, "there is no scene wide; the scene has 0 'near', 1 'far'",
+                {"scene"}, [&] { file.load({.scene = "wide"}); });
+    const std::filesystem::path mesh = file.folder / "a.obj";
+    writeFile(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(loadScene(mesh, {.scene = "0"}).triangles.size(), 1u);
+    expectError(ErrorKind::invalidArgument, "there is no scene 1", {"scene"},
+                [&] { loadScene(mesh, {.scene = "1"}); });
+}
+
+// KHR_node_visibility: a hidden node hides what is below it, but no camera, and it still moves joints.
+TEST(GltfGeometry, HiddenNodes) {
+    TriangleFile file;
+    const Json hidden = {{"KHR_node_visibility", {{"visible", false}}}};
+    const Json shown = {{"KHR_node_visibility", {{"visible", true}}}};
+    file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+    file.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+    file.root["nodes"] = {
+        {{"mesh", 0}, {"extensions", {{"KHR_node_visibility", Json::object()}}}},
+        {{"extensions", hidden}, {"children", {2}}},
+        {{"mesh", 0},
+         {"camera", 0},
+         {"extensions",
+          {{"KHR_node_visibility", {{"visible", true}}}, {"KHR_lights_punctual", {{"light", 0}}}}}},
+    };
+    file.root["scenes"][0]["nodes"] = {0, 1};
+    file.root["extensionsRequired"] = {"KHR_node_visibility"};
+    Scene scene = file.load();
+    EXPECT_EQ(scene.triangles.size(), 1u);
+    EXPECT_EQ(scene.lights.size(), 0u);
+    EXPECT_EQ(scene.cameras.size(), 1u);
+    file.root["nodes"][1]["extensions"] = shown;
+    scene = file.load();
+    EXPECT_EQ(scene.triangles.size(), 2u);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    file.root["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = 0;
+    EXPECT_EQ(file.refusal(), "node 1: KHR_node_visibility: visible is neither true nor false");
+}
+
 TEST(GltfGeometry, EmptySceneIsAScene) {
     GltfFile file;
     file.root = {{"asset", {{"version", "2.0"}}}};
@@ -291,6 +403,19 @@ TEST(GltfGeometry, HierarchyAsDeepAsItLikes) {
     nodes.push_back({{"mesh", 0}});
     file.root["nodes"] = nodes;
     EXPECT_EQ(file.load().positions[0].z, static_cast<float>(kDepth));
+}
+
+TEST(GltfGeometry, BackslashesInTheNameOfABuffer) {
+    TriangleFile file;
+    const std::filesystem::path path = file.write();
+    std::filesystem::create_directory(file.folder / "data");
+    std::filesystem::rename(file.folder / "scene.bin", file.folder / "data/scene.bin");
+    file.root["buffers"] = {{{"uri", "data\\scene.bin"}, {"byteLength", 36}}};
+    writeFile(path, file.root.dump());
+    EXPECT_EQ(loadScene(path).triangles.size(), 1u);
+    file.root["buffers"][0]["uri"] = "..\\scene.bin";
+    writeFile(path, file.root.dump());
+    EXPECT_EQ(refusalOf(path), "buffer 0: '../scene.bin' leaves the scene's folder");
 }
 
 TEST(GltfGeometry, NamesWithSpacesEscapesAndUnicode) {

@@ -55,6 +55,71 @@ TEST(GltfMaterial, DefaultsAreTheSpecifications) {
     }
 }
 
+// glTF 2.0, 3.7.2.1: a primitive without a material has the default one.
+TEST(GltfMaterial, PrimitivesWithoutAMaterialHaveTheDefault) {
+    TriangleFile file;
+    file.primitive()["attributes"]["COLOR_0"] = file.addVec3({1, 0, 0, 1, 0, 0, 1, 0, 0});
+    file.root["meshes"][0]["primitives"].push_back(file.primitive());
+    file.root["materials"] = {{{"name", "painted"}}};
+    file.root["meshes"][0]["primitives"].push_back(file.primitive());
+    file.root["meshes"][0]["primitives"][2]["material"] = 0;
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.triangleMaterial, std::vector<std::uint32_t>({1, 1, 0}));
+    ASSERT_EQ(scene.materials.size(), 2u);
+    const Material& material = scene.materials[1];
+    EXPECT_EQ(material.name, "default");
+    EXPECT_EQ(material.baseColorFactor, glm::vec4(1));
+    EXPECT_EQ(material.metallicFactor, 1.0f);
+    EXPECT_EQ(material.roughnessFactor, 1.0f);
+    EXPECT_EQ(scene.colors[0], glm::vec4(1, 0, 0, 1));
+}
+
+// The conversion of KHR_materials_ior: a dielectric of index 0 reflects its specular colour.
+TEST(GltfMaterial, SpecularGlossiness) {
+    Json source =
+        withExtension("KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {1, 0.5, 0.25, 0.5}},
+                                                              {"specularFactor", {0.25, 0.5, 1}},
+                                                              {"glossinessFactor", 0.75}});
+    source["pbrMetallicRoughness"] = {{"metallicFactor", 1}, {"baseColorTexture", texture(1)}};
+    const Material plain = MaterialFile(source).material();
+    EXPECT_EQ(plain.baseColorFactor, glm::vec4(1, 0.5f, 0.25f, 0.5f));
+    EXPECT_EQ(plain.baseColorTexture.texture, kNoTexture);
+    EXPECT_EQ(plain.metallicFactor, 0.0f);
+    EXPECT_EQ(plain.roughnessFactor, 0.25f);
+    EXPECT_EQ(plain.ior, 0.0f);
+    EXPECT_EQ(plain.specularFactor, 1.0f);
+    EXPECT_EQ(plain.specularColorFactor, glm::vec3(0.25f, 0.5f, 1));
+    const Material bare =
+        MaterialFile(withExtension("KHR_materials_pbrSpecularGlossiness", Json::object())).material();
+    EXPECT_EQ(bare.specularColorFactor, glm::vec3(1));
+    EXPECT_EQ(bare.roughnessFactor, 0.0f);
+}
+
+// Glossiness is in the alpha of the specular colour: 0.5 * 80 / 255, whose roughness is 215 / 255.
+TEST(GltfMaterial, SpecularGlossinessTextures) {
+    MaterialFile file(withExtension("KHR_materials_pbrSpecularGlossiness",
+                                    {{"diffuseTexture", texture(0)},
+                                     {"specularGlossinessTexture", {{"index", 1}, {"texCoord", 1}}},
+                                     {"glossinessFactor", 0.5}}));
+    const Scene scene = file.load();
+    const Material& material = scene.materials.at(0);
+    const auto texel = [&](const TextureRef& ref) {
+        return scene.images[scene.textures[ref.texture].image].bytes.at(0);
+    };
+    EXPECT_EQ(texel(material.baseColorTexture), glm::u8vec4(10, 20, 30, 40));
+    EXPECT_TRUE(material.baseColorTexture.isSrgb);
+    EXPECT_EQ(texel(material.specularColorTexture), glm::u8vec4(50, 60, 70, 80));
+    EXPECT_TRUE(material.specularColorTexture.isSrgb);
+    EXPECT_EQ(texel(material.metallicRoughnessTexture).g, 215);
+    EXPECT_FALSE(material.metallicRoughnessTexture.isSrgb);
+    EXPECT_EQ(material.metallicRoughnessTexture.texCoord, 1u);
+    EXPECT_EQ(material.roughnessFactor, 1.0f);
+    EXPECT_EQ(scene.images.size(), 3u);
+    // A texture that the importer made has no number in the file.
+    file.root["materials"].push_back({{"emissiveTexture", texture(2)}});
+    EXPECT_EQ(file.refusal(), "material 1: emissiveTexture: texture 2 does not exist, there are 2");
+}
+
 TEST(GltfMaterial, CoreFactorsAndTextures) {
     MaterialFile file({{"name", "lamp"},
                        {"doubleSided", true},

@@ -183,6 +183,30 @@ TEST(GltfTexture, MissingBesideASceneWithoutAFolder) {
     std::filesystem::current_path(before);
 }
 
+TEST(GltfTexture, BackslashesInTheNameOfAnImage) {
+    PaintedFile file;
+    std::filesystem::create_directory(file.folder / "images");
+    writeFile(file.folder / "images/a.png", onePixelPng({9, 8, 7, 6}));
+    for (const char* uri : {"images\\a.png", "images%5Ca.png", ".\\images\\a.png"}) {
+        file.root["images"][0]["uri"] = uri;
+        EXPECT_EQ(file.load().images.at(0).bytes.at(0), glm::u8vec4(9, 8, 7, 6)) << uri;
+    }
+    // A name that has a backslash is its own.
+    writeFile(file.folder / "images\\a.png", onePixelPng({1, 1, 1, 1}));
+    file.root["images"][0]["uri"] = "images\\a.png";
+    EXPECT_EQ(file.load().images.at(0).bytes.at(0), glm::u8vec4(1));
+}
+
+TEST(GltfTexture, FlawsThatHideNoTexelAreReported) {
+    PaintedFile file;
+    const std::string jpeg = jpegFile();
+    writeFile(file.folder / "wood.png", jpeg.substr(0, jpeg.size() - 2));
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.images.at(0).bytes, std::vector<glm::u8vec4>(64, glm::u8vec4(200, 200, 200, 255)));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_TRUE(scene.warnings[0].ends_with("texture 'wood.png' has no end mark"));
+}
+
 TEST(GltfTexture, MissingMayBeAllowed) {
     PaintedFile file;
     file.root["images"] = {{{"uri", "gone.png"}}, {{"uri", "wood.png"}}};
@@ -195,6 +219,8 @@ TEST(GltfTexture, MissingMayBeAllowed) {
     EXPECT_EQ(scene.textures[0].image, 0u);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(scene.warnings[0].ends_with("texture 'gone.png' is missing; its uses are left out"));
+    expectError(ErrorKind::inputRefused, "texture 'gone.png' is missing", {"allowMissingTextures"},
+                [&] { file.load(); });
 }
 
 TEST(GltfTexture, OnlyWhatTrianglesUseIsRead) {
@@ -259,8 +285,18 @@ TEST(GltfTexture, UnknownImageFormatWithAFallback) {
     PaintedFile file;
     file.root["textures"][0]["extensions"]["KHR_texture_basisu"]["source"] = 0;
     file.root["extensionsUsed"] = {"KHR_texture_basisu"};
-    EXPECT_EQ(file.load().warnings.size(), 1u);
+    EXPECT_TRUE(file.load().warnings.empty());
     file.root["textures"][0].erase("source");
+    file.root["extensionsRequired"] = {"KHR_texture_basisu"};
+    const std::string reason = "texture 0 has only an image of KHR_texture_basisu, which is not decoded";
+    EXPECT_EQ(file.refusal(), reason);
+    EXPECT_TRUE(
+        file.load({.allowMissingTextures = true}).warnings[0].ends_with(reason + "; its uses are left out"));
+    file.root["textures"][0]["extensions"]["MSFT_texture_dds"]["source"] = 0;
+    EXPECT_EQ(
+        file.refusal(),
+        "texture 0 has only an image of KHR_texture_basisu and of MSFT_texture_dds, which is not decoded");
+    file.root["textures"][0].erase("extensions");
     EXPECT_EQ(file.refusal(), "texture 0 has no image of a known format");
 }
 

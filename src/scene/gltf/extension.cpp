@@ -20,14 +20,20 @@ constexpr auto kExtensions = std::to_array<std::string_view>({
     "KHR_materials_ior",
     "KHR_materials_iridescence",
     "KHR_materials_sheen",
+    "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_specular",
     "KHR_materials_transmission",
     "KHR_materials_unlit",
     "KHR_materials_variants",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
     "KHR_texture_transform",
-    // These describe the file, not the scene.
+    // These describe the file or what a user may do with it, not what is seen.
+    "EXT_mesh_manifold",
+    "GODOT_single_root",
+    "KHR_node_hoverability",
+    "KHR_node_selectability",
     "KHR_xmp",
     "KHR_xmp_json_ld",
 #ifdef METAMARCH_MESHOPT
@@ -39,10 +45,21 @@ constexpr auto kExtensions = std::to_array<std::string_view>({
 #endif
 });
 
+// No transcoder or decoder for these is in Debian, or OpenImageIO's reads only files.
+constexpr auto kUndecodedImages = std::to_array<const char*>({
+    "EXT_texture_astc",
+    "EXT_texture_avif",
+    "KHR_texture_basisu",
+    "MSFT_texture_dds",
+});
+
 } // namespace
 
 bool isSupportedExtension(const std::string& name) {
-    return std::find(kExtensions.begin(), kExtensions.end(), name) != kExtensions.end();
+    return std::ranges::find(kExtensions, name) != kExtensions.end() ||
+           std::ranges::find(kUndecodedImages, name) != kUndecodedImages.end();
 }
+
+std::span<const char* const> undecodedImageExtensions() { return kUndecodedImages; }
 
 } // namespace metamarch

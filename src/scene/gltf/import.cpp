@@ -39,17 +39,19 @@ class GltfImporter {
 
     Scene import() {
         scene_.animations = readAnimations(document_, file_);
-        const GltfTextures textures(document_, file_);
-        scene_.textures = textures.textures();
+        GltfTextures textures(document_, file_);
         readMaterials(textures);
+        scene_.textures = textures.textures();
         const glm::dmat4 root = glm::scale(glm::dmat4(1.0), glm::dvec3(scale()));
-        const std::vector<PlacedNode> placed = placeNodes(document_.model, file_, root);
+        const std::vector<PlacedNode> placed = placeNodes(document_, file_, options_.scene, root);
         const GltfMeshes meshes(document_, file_, texCoordSets_, variant());
         const GltfSkins skins(document_, file_, placed);
         for (const PlacedNode& place : placed) {
             addCamera(place);
-            addLight(place);
-            addMesh(place, meshes, skins);
+            if (place.visible) {
+                addLight(place);
+                addMesh(place, meshes, skins);
+            }
         }
         loadTextures(scene_, file_, textures.sources(), options_.allowMissingTextures);
         return std::move(scene_);
@@ -73,7 +75,7 @@ class GltfImporter {
         return nodes_[static_cast<std::size_t>(place.node)];
     }
 
-    void readMaterials(const GltfTextures& textures) {
+    void readMaterials(GltfTextures& textures) {
         for (const GltfElement& source : root_.objects("materials", "material")) {
             GltfMaterial read = readMaterial(source, textures, scale());
             scene_.materials.push_back(std::move(read.material));
@@ -145,6 +147,11 @@ class GltfImporter {
         for (GltfPart& part : parts) {
             giveTangents(part);
         }
+        for (GltfPart& part : parts) {
+            if (part.material == kNoMaterial) {
+                part.material = defaultMaterial();
+            }
+        }
         const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(source.mesh)];
         for (const glm::dmat4& instance : toWorld) {
             InstanceWriter writer(scene_, file_, mesh.name,
@@ -155,6 +162,15 @@ class GltfImporter {
             }
             writer.finish();
         }
+    }
+
+    // Returns the material of primitives without one (glTF 2.0, 3.7.2.1): all its values are the defaults.
+    std::uint32_t defaultMaterial() {
+        if (!defaultMaterial_) {
+            defaultMaterial_ = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.emplace_back().name = "default";
+        }
+        return *defaultMaterial_;
     }
 
     // Adds tangents if the material needs them and the file has none.
@@ -176,6 +192,7 @@ class GltfImporter {
     std::vector<GltfElement> nodes_;
     std::vector<GltfElement> lights_;
     std::vector<std::array<std::uint32_t, 2>> texCoordSets_; // indexed by material
+    std::optional<std::uint32_t> defaultMaterial_;           // index into scene_.materials
     Scene scene_;
 };
 

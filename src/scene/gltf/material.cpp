@@ -22,13 +22,16 @@ glm::vec3 color(const GltfElement& source, const char* key, double fallback) {
 
 class MaterialReader {
   public:
-    MaterialReader(const GltfElement& source, const GltfTextures& textures, double scale)
+    MaterialReader(const GltfElement& source, GltfTextures& textures, double scale)
         : source_(source), textures_(textures), unit_(std::abs(scale)) {}
 
     Material read() {
         material_.name = source_.text("name");
         readCore();
         readSurfaceExtensions();
+        if (const auto glossy = source_.extension("KHR_materials_pbrSpecularGlossiness")) {
+            readSpecularGlossiness(*glossy);
+        }
         readTransmission();
         readCoats();
         return std::move(material_);
@@ -79,6 +82,25 @@ class MaterialReader {
             m.anisotropyRotation = factor(*anisotropy, "anisotropyRotation", 0.0, -kLargest, kLargest);
             m.anisotropyTexture = textures_.ref(*anisotropy, "anisotropyTexture", false);
         }
+    }
+
+    // Replaces the core's reflection, as the extension asks. A dielectric whose index of refraction is given
+    // as 0 reflects its specular colour at normal incidence (KHR_materials_ior), which is what the
+    // extension's specular colour means.
+    void readSpecularGlossiness(const GltfElement& glossy) {
+        Material& m = material_;
+        m.baseColorFactor =
+            glm::vec4(glm::clamp(glossy.vector<4>("diffuseFactor", glm::dvec4(1.0)), 0.0, 1.0));
+        m.baseColorTexture = textures_.ref(glossy, "diffuseTexture", true);
+        m.metallicFactor = 0.0f;
+        m.ior = 0.0f;
+        m.specularFactor = 1.0f;
+        m.specularTexture = {};
+        m.specularColorFactor = color(glossy, "specularFactor", 1.0);
+        m.specularColorTexture = textures_.ref(glossy, "specularGlossinessTexture", true);
+        const float glossiness = factor(glossy, "glossinessFactor", 1.0);
+        m.metallicRoughnessTexture = textures_.roughnessRef(glossy, "specularGlossinessTexture", glossiness);
+        m.roughnessFactor = m.metallicRoughnessTexture.texture == kNoTexture ? 1.0f - glossiness : 1.0f;
     }
 
     void readTransmission() {
@@ -157,7 +179,7 @@ class MaterialReader {
     }
 
     const GltfElement& source_;
-    const GltfTextures& textures_;
+    GltfTextures& textures_;
     double unit_; // world units per unit of length of the file
     Material material_;
 };
@@ -190,7 +212,7 @@ void renumberTexCoords(const GltfElement& source, GltfMaterial& read) {
 
 } // namespace
 
-GltfMaterial readMaterial(const GltfElement& source, const GltfTextures& textures, double scale) {
+GltfMaterial readMaterial(const GltfElement& source, GltfTextures& textures, double scale) {
     GltfMaterial read{MaterialReader(source, textures, scale).read()};
     renumberTexCoords(source, read);
     return read;

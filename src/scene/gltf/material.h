@@ -17,6 +17,6 @@ struct GltfMaterial {
 
 // Clamps factors to their range and multiplies lengths by |scale|. Throws Error(inputRefused) if a value has
 // the wrong type or the material uses more than two sets of texture coordinates.
-GltfMaterial readMaterial(const GltfElement& source, const GltfTextures& textures, double scale);
+GltfMaterial readMaterial(const GltfElement& source, GltfTextures& textures, double scale);
 
 } // namespace metamarch

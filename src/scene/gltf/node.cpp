@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/node.h"
 
+#include "metamarch/scene/choice.h"
+#include "metamarch/scene/gltf/element.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -56,7 +59,14 @@ std::vector<int> parentlessNodes(const tinygltf::Model& model, const InputFile& 
     return roots;
 }
 
-std::vector<int> rootNodes(const tinygltf::Model& model, const InputFile& file) {
+std::vector<int> rootNodes(const tinygltf::Model& model, const InputFile& file, const std::string& chosen) {
+    if (!chosen.empty()) {
+        std::vector<std::string> names;
+        for (const tinygltf::Scene& scene : model.scenes) {
+            names.push_back(scene.name);
+        }
+        return model.scenes[chooseIndex("scene", names, chosen)].nodes;
+    }
     if (model.scenes.empty()) {
         return parentlessNodes(model, file);
     }
@@ -70,24 +80,25 @@ std::vector<int> rootNodes(const tinygltf::Model& model, const InputFile& file) 
 
 } // namespace
 
-std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile& file,
-                                   const glm::dmat4& root) {
+std::vector<PlacedNode> placeNodes(const GltfDocument& document, const InputFile& file,
+                                   const std::string& scene, const glm::dmat4& root) {
+    const tinygltf::Model& model = document.model;
+    const std::vector<GltfElement> elements = GltfElement(file, "", &document.json).objects("nodes", "node");
     std::vector<PlacedNode> placed;
     std::vector<bool> reached(model.nodes.size(), false);
-    std::vector<PlacedNode> pending; // toWorld is the parent's until the node is taken
-    const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parentToWorld,
-                          const std::string& of) {
+    std::vector<PlacedNode> pending; // toWorld and visible are the parent's until the node is taken
+    const auto push = [&](const std::vector<int>& nodes, const PlacedNode& parent, const std::string& of) {
         for (const int node : nodes | std::views::reverse) {
             if (node < 0 || static_cast<std::size_t>(node) >= model.nodes.size()) {
                 file.refuse(of + ": node " + std::to_string(node) + " does not exist, there are " +
                             std::to_string(model.nodes.size()));
             }
-            pending.push_back({node, parentToWorld});
+            pending.push_back({node, parent.toWorld, parent.visible});
         }
     };
 
     // Iterative, so that deep hierarchies use no call stack. The loop ends because no node is taken twice.
-    push(rootNodes(model, file), root, "scene");
+    push(rootNodes(model, file, scene), {0, root}, "scene");
     while (!pending.empty()) {
         const PlacedNode next = pending.back();
         pending.pop_back();
@@ -97,8 +108,10 @@ std::vector<PlacedNode> placeNodes(const tinygltf::Model& model, const InputFile
                         " is reached twice: the nodes form a cycle, or it has two parents");
         }
         reached[index] = true;
-        placed.push_back({next.node, next.toWorld * localMatrix(model, file, next.node)});
-        push(model.nodes[index].children, placed.back().toWorld, nodeLabel(model, next.node));
+        const auto visibility = elements[index].extension("KHR_node_visibility");
+        placed.push_back({next.node, next.toWorld * localMatrix(model, file, next.node),
+                          next.visible && (!visibility || visibility->flag("visible", true))});
+        push(model.nodes[index].children, placed.back(), nodeLabel(model, next.node));
     }
     return placed;
 }

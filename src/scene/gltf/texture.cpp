@@ -6,6 +6,9 @@
 #include "metamarch/scene/gltf/uri.h"
 #include "metamarch/scene/texture/texture_decoder.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 namespace metamarch {
@@ -86,8 +89,8 @@ TextureSource readImage(const GltfDocument& document, const InputFile& file, con
     return {label, "", readView};
 }
 
-// Returns the image of a texture. An extension's image is preferred to the fallback for readers without the
-// extension.
+// Returns the image of a texture. The image of an extension that is read is preferred to the fallback for
+// readers without the extension.
 std::optional<int> sourceOf(const GltfElement& texture, std::size_t images) {
     const std::optional<GltfElement> webp = texture.extension("EXT_texture_webp");
     if (webp && isSupportedExtension("EXT_texture_webp")) {
@@ -98,9 +101,19 @@ std::optional<int> sourceOf(const GltfElement& texture, std::size_t images) {
     return texture.index("source", "image", images);
 }
 
-TextureSource noSource(const std::string& label) {
-    return {label, "",
-            []() -> std::vector<unsigned char> { throw TextureFailure("has no image of a known format"); }};
+// Returns a source whose failure names the extensions that have the texture's image.
+TextureSource noSource(const GltfElement& texture) {
+    std::vector<std::string> extensions;
+    for (const char* name : undecodedImageExtensions()) {
+        if (texture.extension(name)) {
+            extensions.emplace_back(name);
+        }
+    }
+    const std::string reason =
+        extensions.empty()
+            ? "has no image of a known format"
+            : fmt::format("has only an image of {}, which is not decoded", fmt::join(extensions, " and of "));
+    return {texture.label(), "", [reason]() -> std::vector<unsigned char> { throw TextureFailure(reason); }};
 }
 
 // Returns the specification's translation * rotation * scale. Positive angles rotate the visible image
@@ -112,6 +125,15 @@ glm::mat3x2 readTransform(const GltfElement& transform) {
     const double sine = std::sin(rotation);
     const double cosine = std::cos(rotation);
     return glm::mat3x2(glm::dvec2(cosine, -sine) * scale.x, glm::dvec2(sine, cosine) * scale.y, offset);
+}
+
+void glossinessToRoughness(TextureImage& image, float glossiness) {
+    for (glm::u8vec4& texel : image.bytes) {
+        texel.g = static_cast<glm::u8>(std::lround(255.0f - glossiness * static_cast<float>(texel.a)));
+    }
+    for (glm::vec4& texel : image.floats) {
+        texel.g = 1.0f - glossiness * texel.a;
+    }
 }
 
 } // namespace
@@ -132,10 +154,11 @@ GltfTextures::GltfTextures(const GltfDocument& document, const InputFile& file) 
         texture.image =
             static_cast<std::uint32_t>(image ? static_cast<std::size_t>(*image) : sources_.size());
         if (!image) {
-            sources_.push_back(noSource(source.label()));
+            sources_.push_back(noSource(source));
         }
         textures_.push_back(texture);
     }
+    texturesOfFile_ = textures_.size();
 }
 
 TextureRef GltfTextures::ref(const GltfElement& material, const char* key, bool isSrgb) const {
@@ -143,7 +166,7 @@ TextureRef GltfTextures::ref(const GltfElement& material, const char* key, bool 
         return {};
     }
     const GltfElement info = material.object(key);
-    const std::optional<int> texture = info.index("index", "texture", textures_.size());
+    const std::optional<int> texture = info.index("index", "texture", texturesOfFile_);
     if (!texture) {
         info.refuse("has no index");
     }
@@ -158,6 +181,25 @@ TextureRef GltfTextures::ref(const GltfElement& material, const char* key, bool 
         }
     }
     return ref;
+}
+
+TextureRef GltfTextures::roughnessRef(const GltfElement& material, const char* key, float glossiness) {
+    TextureRef result = ref(material, key, false);
+    if (result.texture == kNoTexture) {
+        return result;
+    }
+    const auto next = static_cast<std::uint32_t>(textures_.size());
+    const auto [made, isNew] = roughness_.try_emplace({result.texture, glossiness}, next);
+    if (isNew) {
+        Texture texture = textures_[result.texture];
+        TextureSource source = sources_[texture.image];
+        source.edit = [glossiness](TextureImage& image) { glossinessToRoughness(image, glossiness); };
+        texture.image = static_cast<std::uint32_t>(sources_.size());
+        sources_.push_back(std::move(source));
+        textures_.push_back(texture);
+    }
+    result.texture = made->second;
+    return result;
 }
 
 } // namespace metamarch
