@@ -166,12 +166,23 @@ TEST(GltfAnimation, BrokenOnesAreRefused) {
         EXPECT_EQ(refusal(file), line);
     }
     AnimatedFile unordered("translation", "LINEAR", "VEC3", 3, three);
-    unordered.root["animations"][0]["samplers"][0]["input"] = unordered.addFloats("SCALAR", 1, {1, 3, 3});
-    EXPECT_EQ(refusal(unordered), "animation 'translation' sampler 0: the times do not increase at 2");
+    unordered.root["animations"][0]["samplers"][0]["input"] = unordered.addFloats("SCALAR", 1, {1, 3, 2});
+    EXPECT_EQ(refusal(unordered),
+              "animation 'translation' sampler 0: the times decrease or are not finite at 2");
     AnimatedFile matrix("translation", "LINEAR", "VEC3", 3, three);
     matrix.node()["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     EXPECT_EQ(refusal(matrix),
               "animation 'translation' channel 0: node 0 has a matrix, which cannot be animated");
+}
+
+// Writers end one motion and begin the next at the same time: the value jumps there.
+TEST(GltfAnimation, KeysAtTheSameTimeJump) {
+    AnimatedFile file("translation", "LINEAR", "VEC3", 3, {0, 0, 0, 2, 0, 0, 6, 0, 0, 8, 0, 0});
+    file.root["animations"][0]["samplers"][0]["input"] = file.addFloats("SCALAR", 1, {1, 3, 3, 5});
+    EXPECT_EQ(file.at(2)[0].x, 1.0f);
+    EXPECT_EQ(file.at(3)[0].x, 6.0f);
+    EXPECT_EQ(file.at(4)[0].x, 7.0f);
+    EXPECT_EQ(file.at(6)[0].x, 8.0f);
 }
 
 TEST(GltfAnimation, ChannelsOfExtensionsAreReported) {
@@ -308,6 +319,19 @@ TEST(GltfSkin, FurtherSetsOfJoints) {
                           {"type", "VEC4"}});
     attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
     EXPECT_EQ(file.load().positions[0], glm::vec3(1.5f, 0, 0));
+}
+
+// What has no weight is not drawn, and rounding errors are no reason to refuse a scene.
+TEST(GltfSkin, JointsWithoutWeightAndRoundingErrors) {
+    SkinFile file;
+    file.setJoints({0, 255, 2, 9, 1, 77, 0, 0, 0, 1, 200, 0},
+                   {1, 0, 0, -1e-9f, 1, 0, -1e-9f, 0, 0.25f, 0.75f, -0.0f, -1e-4f});
+    EXPECT_EQ(file.load().positions, Positions({{1, 0, 0}, {3, 0, 0}, {1.75f, 1, 0}}));
+    // Without any weight the first joint counts.
+    file.setJoints({1, 255, 2, 9, 1, 77, 0, 0, 0, 1, 200, 0}, {0, 0, 0, 0, 1, 0, 0, 0, 0.25f, 0.75f, 0, 0});
+    EXPECT_EQ(file.load().positions[0], glm::vec3(2, 0, 0));
+    file.setJoints({0, 255, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, {0.5f, 0.5f, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    EXPECT_EQ(file.refusal(), "mesh 'body' primitive 0: joint 255 does not exist, the skin has 2");
 }
 
 TEST(GltfSkin, BrokenOnesAreRefused) {

@@ -53,8 +53,8 @@ class Track {
                                     : TINYGLTF_TYPE_VEC3) {
         for (std::uint64_t i = 0; i < input_.count(); ++i) {
             times_.push_back(input_.scalar(i));
-            if (!std::isfinite(times_[i]) || (i > 0 && times_[i] <= times_[i - 1])) {
-                sampler.refuse("the times do not increase at " + std::to_string(i));
+            if (!std::isfinite(times_[i]) || (i > 0 && times_[i] < times_[i - 1])) {
+                sampler.refuse("the times decrease or are not finite at " + std::to_string(i));
             }
         }
         const std::uint64_t values = times_.size() * valuesOfKey();
@@ -136,7 +136,9 @@ class Track {
     bool isRotation_;
     GltfAccessor input_;
     GltfAccessor output_;
-    std::vector<double> times_; // seconds, strictly increasing
+    // Seconds, never decreasing. Of keyframes at the same time the first ends what comes before, and the last
+    // begins what comes after: the value jumps.
+    std::vector<double> times_;
     std::uint64_t elementsOfValue_ = 1;
     int components_ = 1;
 };

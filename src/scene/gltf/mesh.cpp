@@ -219,13 +219,17 @@ class PartReader {
         }
     }
 
+    // A joint of weight 0 may be anything; 0 stands for one that no skin can have.
     JointInfluence influence(std::size_t vertex, float joint, float weight) const {
         constexpr float kMostJoints = 65536.0f; // range of an unsigned short
-        if (!(joint >= 0.0f && joint < kMostJoints) || !(weight >= 0.0f && std::isfinite(weight))) {
+        // Writers that normalise or quantize weights leave such rounding errors below 0.
+        constexpr float kLeastWeight = -1e-3f;
+        const bool isJoint = joint >= 0.0f && joint < kMostJoints;
+        if (!(weight >= kLeastWeight && std::isfinite(weight)) || (weight > 0.0f && !isJoint)) {
             file_.refuse(part_.label + ": joint or weight of vertex " + std::to_string(vertex) +
                          " is negative or not finite");
         }
-        return {static_cast<std::uint32_t>(joint), weight};
+        return {isJoint ? static_cast<std::uint32_t>(joint) : 0u, std::max(weight, 0.0f)};
     }
 
     const tinygltf::Model& model_;

@@ -22,11 +22,15 @@ glm::dmat4 meanMatrix(std::span<const JointInfluence> influences, const std::vec
     return weights > 0.0 ? sum / weights : matrices[influences.front().joint];
 }
 
-void checkJoints(const InputFile& file, const GltfPart& part, std::size_t joints) {
+// Refuses joints that the skin does not have where they count.
+void checkJoints(const InputFile& file, GltfPart& part, std::size_t joints) {
     if (part.influences.empty()) {
         file.refuse(part.label + ": has a skin, but no JOINTS_0");
     }
-    for (const JointInfluence& influence : part.influences) {
+    for (JointInfluence& influence : part.influences) {
+        if (influence.joint >= joints && influence.weight == 0.0f) {
+            influence.joint = 0;
+        }
         if (influence.joint >= joints) {
             file.refuse(part.label + ": joint " + std::to_string(influence.joint) +
                         " does not exist, the skin has " + std::to_string(joints));
