@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Draco and meshopt: decoding restores what was encoded, and hostile bytes are refused.
 #include "metamarch/error/error.h"
+#include "metamarch/scene/gltf/meshopt_attributes.h"
 #include "scene/gltf_file.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
 #include <draco/compression/encode.h>
 #include <draco/mesh/mesh.h>
+#include <random>
 
 #ifdef METAMARCH_MESHOPT
 #include <meshoptimizer.h>
@@ -233,6 +237,90 @@ TEST(GltfMeshopt, SequenceAndTheNewerName) {
     EXPECT_EQ(file.loadCompressed().triangles, Triangles({{3, 1, 0}}));
 }
 
+// The positions and colours of gltf_khr_meshopt_v1, encoded by meshoptimizer 1.3.0: the square from -1 to 1,
+// and the colour 255 128 64 255 four times.
+TEST(GltfMeshopt, AttributesOfVersion1) {
+    const auto decode = [](std::vector<unsigned char> stream, std::size_t stride) {
+        return decodeMeshoptAttributes(stream, 4, stride);
+    };
+    const std::vector<unsigned char> positions = {0xa1, 0xea, 0xea, 0xaa, 0x00, 0xff, 0x00, 0xff, 0x00,
+                                                  0x00, 0xff, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+                                                  0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0xbf, 0x00, 0x00,
+                                                  0x80, 0xbf, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00};
+    const auto bytes = decode(positions, 12);
+    ASSERT_TRUE(bytes);
+    std::vector<glm::vec3> decoded(4);
+    std::memcpy(decoded.data(), bytes->data(), bytes->size());
+    EXPECT_EQ(decoded, Positions({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}));
+    for (std::size_t size = 0; size < positions.size(); ++size) {
+        EXPECT_FALSE(decode({positions.begin(), positions.begin() + static_cast<std::ptrdiff_t>(size)}, 12));
+    }
+}
+
+// Streams by hand. Every byte is stored as it is (control mode 3); the tail is the element before the first,
+// and the mode of the channel.
+TEST(GltfMeshopt, ChannelsOfVersion1) {
+    const auto decode = [](std::vector<unsigned char> columns, const std::vector<unsigned char>& before,
+                           unsigned char mode) {
+        std::vector<unsigned char> stream = {0xa1, 0xff};
+        stream.insert(stream.end(), columns.begin(), columns.end());
+        stream.resize(stream.size() + 24 - 5, 0);
+        stream.insert(stream.end(), before.begin(), before.end());
+        stream.push_back(mode);
+        return decodeMeshoptAttributes(stream, 2, 4);
+    };
+    using Stream = std::vector<unsigned char>;
+    // Bytes: +1 and -1 are coded as 2 and 1.
+    EXPECT_EQ(decode({2, 1, 0, 0, 4, 4, 1, 2}, {10, 20, 255, 0}, 0), Stream({11, 20, 1, 255, 10, 20, 3, 0}));
+    // Words: from 0x00ff by +1 and by -257, which is coded as 513; from 0xffff by +1 and by 0.
+    EXPECT_EQ(decode({2, 1, 0, 2, 2, 0, 0, 0}, {0xff, 0x00, 0xff, 0xff}, 1),
+              Stream({0x00, 0x01, 0x00, 0x00, 0xff, 0xff, 0x00, 0x00}));
+    // Exclusive or with 0x00000001 and 0x80000000, turned left by 9.
+    EXPECT_EQ(decode({1, 0, 0, 0, 0, 0, 0, 0x80}, {1, 2, 3, 4}, 0x92),
+              Stream({1, 2 ^ 2, 3, 4, 1, 0 ^ 1, 3, 4}));
+    EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2}, {10, 20, 255, 0}, 3));
+    EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2}, {10, 20, 255, 0}, 0x11));
+    // One byte is left over.
+    EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2, 9}, {10, 20, 255, 0}, 0));
+}
+
+// Several blocks, groups of every bit length, and elements that end inside a group.
+TEST(GltfMeshopt, ManyAttributes) {
+    std::mt19937 random(7);
+    for (const std::size_t stride : {4u, 16u, 68u, 256u}) {
+        std::vector<unsigned char> elements(777 * stride);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const unsigned spread = 1u << (i / stride / 100);
+            elements[i] = static_cast<unsigned char>(i % 3 == 0 ? random() % spread : i / stride);
+        }
+        std::vector<unsigned char> stream(meshopt_encodeVertexBufferBound(777, stride));
+        stream.resize(meshopt_encodeVertexBuffer(stream.data(), stream.size(), elements.data(), 777, stride));
+        EXPECT_EQ(decodeMeshoptAttributes(stream, 777, stride), elements) << stride;
+        EXPECT_FALSE(decodeMeshoptAttributes(stream, 700, stride));
+    }
+}
+
+// The specification's transform by hand, in 8 bits: Y, Co, Cg and alpha, whose highest bit ends the range.
+TEST(GltfMeshopt, ColorFilter) {
+    std::vector<unsigned char> eight = {
+        100,  20, static_cast<unsigned char>(-30),
+        0xff, // 100 + 20 + 30, 100 - 30, 100 - 20 + 30; opaque
+        5,    3,  2,
+        0x0a, // range 15, scale 17: 6, 7, 0; alpha 2 of 7 is 4 of 15
+        0,    0,  0,
+        0,
+    };
+    decodeMeshoptColors(eight, 4);
+    EXPECT_EQ(eight, std::vector<unsigned char>({150, 70, 110, 255, 102, 119, 0, 68, 0, 0, 0, 0}));
+    // In 16 bits with a range of 1023, whose scale is 64.06.
+    std::array<std::uint16_t, 4> sixteen = {500, 100, static_cast<std::uint16_t>(-200), 0x3ff};
+    std::vector<unsigned char> bytes(8);
+    std::memcpy(bytes.data(), sixteen.data(), 8);
+    decodeMeshoptColors(bytes, 8);
+    std::memcpy(sixteen.data(), bytes.data(), 8);
+    EXPECT_EQ(sixteen, (std::array<std::uint16_t, 4>{51249, 19218, 38437, 65535}));
+}
+
 TEST(GltfMeshopt, OctahedralFilter) {
     MeshoptFile file;
     // +z, +x, -z, +y in 8 bits; the third number is the value that stands for 1.
@@ -255,23 +343,25 @@ TEST(GltfMeshopt, OctahedralFilter) {
 
 TEST(GltfMeshopt, WhatTheDecodersTakeForGrantedIsChecked) {
     const std::vector<std::pair<Json, std::string>> cases = {
-        {{{"byteStride", 6}}, "byteStride 6 is none of mode ATTRIBUTES"},
-        {{{"byteStride", 260}}, "byteStride 260 is none of mode ATTRIBUTES"},
+        {{{"byteStride", 6}}, "byteStride 6 is not a multiple of 4 up to 256, as mode ATTRIBUTES wants"},
+        {{{"byteStride", 260}}, "byteStride 260 is not a multiple of 4 up to 256"},
         {{{"byteStride", 0}}, "has no byteStride"},
         {{{"count", 0}}, "has no count"},
         {{{"count", 2000000000}}, "count 2000000000 is more than"},
         {{{"count", -1}}, "count: -1 is not an integer"},
         {{{"mode", "SHAPES"}}, "mode 'SHAPES' is none of ATTRIBUTES, TRIANGLES, INDICES"},
         {{{"mode", "TRIANGLES"}, {"byteStride", 4}}, "count 4 is no whole number of triangles"},
-        {{{"mode", "INDICES"}}, "byteStride 16 is none of mode INDICES"},
-        {{{"filter", "COLOR"}}, "filter 'COLOR' is not supported"},
+        {{{"mode", "INDICES"}}, "byteStride 16 is not 2 or 4, as mode INDICES wants"},
+        {{{"filter", "PAINT"}}, "filter 'PAINT' is not supported"},
+        {{{"filter", "COLOR"}}, "filter COLOR does not go with mode ATTRIBUTES and byteStride 16"},
         {{{"filter", "OCTAHEDRAL"}}, "filter OCTAHEDRAL does not go with mode ATTRIBUTES and byteStride 16"},
         {{{"filter", "QUATERNION"}}, "filter QUATERNION does not go with"},
         {{{"buffer", 9}}, "buffer 9 does not exist, there are 2"},
         {{{"byteOffset", 100000}}, "reaches past the end of buffer 0"},
         {{{"byteLength", 100000}}, "reaches past the end of buffer 0"},
         {{{"buffer", 1}, {"byteOffset", 0}}, "reaches past the end of buffer 1"},
-        {{{"byteLength", 3}}, "cannot be decoded"},
+        {{{"byteLength", 3}}, "cannot be decoded: the stream is broken or cut off"},
+        {{{"byteOffset", 1}}, "mode ATTRIBUTES has no codec with the header byte 0x"},
     };
     for (const auto& [change, line] : cases) {
         MeshoptFile file;

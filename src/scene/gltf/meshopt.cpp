@@ -2,12 +2,19 @@
 #include "metamarch/scene/gltf/meshopt.h"
 
 #include "metamarch/scene/gltf/element.h"
+#include "metamarch/scene/gltf/meshopt_attributes.h"
+
+#include <fmt/format.h>
 
 #ifdef METAMARCH_MESHOPT
 #include <meshoptimizer.h>
 #endif
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <span>
+#include <string_view>
 
 namespace metamarch {
 
@@ -28,9 +35,9 @@ const nlohmann::json* meshoptExtension(const nlohmann::json& element) {
 
 namespace {
 
-// Most decoded bytes per encoded byte: those of the densest of the three codecs (vertices, 2 bits for 16
-// zeros).
-constexpr std::uint64_t kMostBytesOfOne = 64;
+// Most decoded bytes per encoded byte: those of the densest of the three codecs (attributes of version 1, a
+// byte for 256 elements of four zeros).
+constexpr std::uint64_t kMostBytesOfOne = 1024;
 
 class MeshoptView {
   public:
@@ -53,25 +60,41 @@ class MeshoptView {
     std::uint64_t stride() const { return stride_; }
 
     std::vector<unsigned char> decoded() const {
-        std::vector<unsigned char> result(count_ * stride_);
-        int failure = 0;
-        if (isAttributes()) {
-            failure =
-                meshopt_decodeVertexBuffer(result.data(), count_, stride_, bytes_.data(), bytes_.size());
-        } else if (mode_ == "TRIANGLES") {
-            failure = meshopt_decodeIndexBuffer(result.data(), count_, stride_, bytes_.data(), bytes_.size());
-        } else {
-            failure =
-                meshopt_decodeIndexSequence(result.data(), count_, stride_, bytes_.data(), bytes_.size());
+        if (!isAttributes()) {
+            return decodedIndices();
         }
-        if (failure != 0) {
-            extension_.refuse("cannot be decoded");
+        std::optional<std::vector<unsigned char>> result = decodeMeshoptAttributes(bytes_, count_, stride_);
+        if (!result) {
+            refuseStream({0xa0, 0xa1});
         }
-        applyFilter(result);
-        return result;
+        applyFilter(*result);
+        return std::move(*result);
     }
 
   private:
+    std::vector<unsigned char> decodedIndices() const {
+        std::vector<unsigned char> result(count_ * stride_);
+        const bool isList = mode_ == "TRIANGLES";
+        const int failure =
+            isList
+                ? meshopt_decodeIndexBuffer(result.data(), count_, stride_, bytes_.data(), bytes_.size())
+                : meshopt_decodeIndexSequence(result.data(), count_, stride_, bytes_.data(), bytes_.size());
+        if (failure != 0) {
+            refuseStream(isList ? std::initializer_list<unsigned char>{0xe0, 0xe1}
+                                : std::initializer_list<unsigned char>{0xd0, 0xd1});
+        }
+        return result;
+    }
+
+    // `headers`: the first bytes of streams that are read.
+    [[noreturn]] void refuseStream(std::initializer_list<unsigned char> headers) const {
+        if (std::ranges::find(headers, bytes_[0]) == headers.end()) {
+            extension_.refuse(
+                fmt::format("mode {} has no codec with the header byte {:#04x}", mode_, bytes_[0]));
+        }
+        extension_.refuse("cannot be decoded: the stream is broken or cut off");
+    }
+
     std::uint64_t required(const char* key) const {
         const std::optional<int> value = extension_.integer(key);
         if (!value || *value == 0) {
@@ -87,17 +110,20 @@ class MeshoptView {
             extension_.refuse("mode '" + mode_ + "' is none of ATTRIBUTES, TRIANGLES, INDICES");
         }
         if (isIndices ? stride_ != 2 && stride_ != 4 : stride_ % 4 != 0 || stride_ > 256) {
-            extension_.refuse("byteStride " + std::to_string(stride_) + " is none of mode " + mode_);
+            extension_.refuse(fmt::format("byteStride {} is not {}, as mode {} wants", stride_,
+                                          isIndices ? "2 or 4" : "a multiple of 4 up to 256", mode_));
         }
         if (mode_ == "TRIANGLES" && count_ % 3 != 0) {
             extension_.refuse("count " + std::to_string(count_) + " is no whole number of triangles");
         }
-        if (filter_ != "NONE" && filter_ != "OCTAHEDRAL" && filter_ != "QUATERNION" &&
-            filter_ != "EXPONENTIAL") {
+        constexpr std::array<std::string_view, 5> kFilters = {"NONE", "OCTAHEDRAL", "QUATERNION",
+                                                              "EXPONENTIAL", "COLOR"};
+        if (std::ranges::find(kFilters, filter_) == kFilters.end()) {
             extension_.refuse("filter '" + filter_ + "' is not supported");
         }
-        if ((filter_ == "OCTAHEDRAL" && stride_ != 4 && stride_ != 8) ||
-            (filter_ == "QUATERNION" && stride_ != 8) || (filter_ != "NONE" && isIndices)) {
+        const bool isEight = filter_ == "OCTAHEDRAL" || filter_ == "COLOR";
+        if ((isEight && stride_ != 4 && stride_ != 8) || (filter_ == "QUATERNION" && stride_ != 8) ||
+            (filter_ != "NONE" && isIndices)) {
             extension_.refuse("filter " + filter_ + " does not go with mode " + mode_ + " and byteStride " +
                               std::to_string(stride_));
         }
@@ -114,6 +140,8 @@ class MeshoptView {
             meshopt_decodeFilterQuat(bytes.data(), count_, stride_);
         } else if (filter_ == "EXPONENTIAL") {
             meshopt_decodeFilterExp(bytes.data(), count_, stride_);
+        } else if (filter_ == "COLOR") {
+            decodeMeshoptColors(bytes, stride_);
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// EXT_meshopt_compression, and KHR_meshopt_compression as far as the two agree.
+// EXT_meshopt_compression and KHR_meshopt_compression.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 
