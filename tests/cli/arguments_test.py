@@ -204,10 +204,12 @@ CASES = [
     ("info cornell.glb --scale -1", 0, r"vertices +64\n.*", NO_OUTPUT),
     ("info cornell.glb --scale 1e-30", 0, ANYTHING, r"warning: all 32 triangles are degenerate, nothing is visible; .*"),
     # choices of the scene's parts
+    ("info cornell.glb --scene 0", 0, r"vertices +64\n.*", NO_OUTPUT),
+    ("info cornell.glb --scene side", 2, NO_OUTPUT, r"there is no scene side; the scene has 0 '.*' \(--scene\)"),
     ("info cornell.glb --variant red", 2, NO_OUTPUT, r"there is no variant red; the scene has none \(--variant\)"),
     ("info variants.gltf --variant blue", 2, NO_OUTPUT, r"there is no variant blue; the scene has 0 'red', 1 'green' \(--variant\)"),
     ("info variants.gltf --variant green", 0, r"vertices +3\n.*", NO_OUTPUT),
-    ("info painted.gltf", 3, NO_OUTPUT, r"painted.gltf: texture 'gone.png' is missing"),
+    ("info painted.gltf", 3, NO_OUTPUT, r"painted.gltf: texture 'gone.png' is missing \(--allow-missing-textures\)"),
     ("info painted.gltf --allow-missing-textures", 0, r"vertices +3\n.*",
      r"warning: painted.gltf: texture 'gone.png' is missing; its uses are left out"),
     ("info cornell.glb --time 1", 0, r"vertices +64\n.*", r"warning: cornell.glb: there is no animation, .*"),
@@ -223,7 +225,7 @@ CASES = [
     ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"--integrator fast: give path, direct, ao or primary"),
     *((f"render cornell.glb -o a.exr --{option} {value}", 2, NO_OUTPUT, rf"--{option} {value}: .*")
       for option, value in (("spp", "0"), ("spp", "99999999"), ("max-bounces", "99999"), ("clamp", "-1"), ("clamp", "nan"),
-                            ("env-rotation", "inf"), ("env-intensity", "-1"), ("env-intensity", "nan"), ("background", "1,2"),
+                            ("env-rotation", "inf"), ("env-intensity", "-1"), ("env-max", "0"), ("env-max", "inf"), ("env-intensity", "nan"), ("background", "1,2"),
                             ("background", "1,-1,1"), ("background", "white"), ("sun", "0,0,0"), ("sun", "up"))),
     *((f"render cornell.glb -o a.exr --{option} {value}", 2, NO_OUTPUT, rf"--{option} {value}: .*")
       for option, value in (("aperture", "-1"), ("aperture", "inf"), ("focus-distance", "0"), ("focus-distance", "nan"),
@@ -238,6 +240,7 @@ CASES = [
     ("render cornell.glb -o a.exr --spp many", 2, NO_OUTPUT, r"--spp many: give a whole number from 1 to \d+"),
     ("render cornell.glb -o a.exr --brdf phong", 2, NO_OUTPUT, r"--brdf phong: give compensated or gltf"),
     ("render cornell.glb -o a.exr --sky --background 1,1,1", 2, NO_OUTPUT, r"--background and --sky exclude each other"),
+    ("render cornell.glb -o a.exr --env-max 9", 2, NO_OUTPUT, r"--env-max needs --env"),
     ("render cornell.glb -o a.exr --env missing.hdr", 3, NO_OUTPUT, r"cannot read missing.hdr: No such file or directory"),
     ("render cornell.glb -o a.exr --env text.exr", 3, NO_OUTPUT, r"cannot read text.exr: .*"),
     ("render cornell.glb -o a.exr --backend fast", 2, NO_OUTPUT, r"--backend fast: give gpu or cpu"),

@@ -27,6 +27,26 @@ TEST(GltfCamera, PerspectiveAtItsNode) {
     EXPECT_LT(glm::distance(camera.up, glm::vec3(0, 1, 0)), 1e-7f);
 }
 
+// glTF 2.0, 3.10.2: scaling is left out of the view. A mirror above the camera moves what it looks at.
+TEST(GltfCamera, MirroringNodes) {
+    GltfFile file;
+    file.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+    const auto camera = [&](const nlohmann::json& own, const nlohmann::json& above) {
+        // A quarter turn about y makes the camera look along -x.
+        file.root["nodes"] = {{{"children", {1}}, {"scale", above}},
+                              {{"camera", 0}, {"rotation", {0, 0.70710678, 0, 0.70710678}}, {"scale", own}}};
+        return file.load().cameras.at(0);
+    };
+    for (const std::vector<double>& own :
+         std::vector<std::vector<double>>{{-1, 1, 1}, {1, -1, 1}, {1, 1, -1}, {-2, -3, -4}}) {
+        EXPECT_LT(glm::distance(camera(own, {1, 1, 1}).forward, glm::vec3(-1, 0, 0)), 1e-6f);
+        EXPECT_LT(glm::distance(camera(own, {1, 1, 1}).up, glm::vec3(0, 1, 0)), 1e-6f);
+    }
+    EXPECT_LT(glm::distance(camera({1, 1, 1}, {-1, 1, 1}).forward, glm::vec3(1, 0, 0)), 1e-6f);
+    EXPECT_LT(glm::distance(camera({1, 1, 1}, {-1, 1, 1}).up, glm::vec3(0, 1, 0)), 1e-6f);
+    EXPECT_LT(glm::distance(camera({1, 1, 1}, {1, -1, 1}).up, glm::vec3(0, -1, 0)), 1e-6f);
+}
+
 TEST(GltfCamera, OrthographicGrowsWithTheImportScale) {
     GltfFile file;
     file.root["cameras"] = {{{"type", "orthographic"},

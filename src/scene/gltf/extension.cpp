@@ -45,7 +45,7 @@ constexpr auto kExtensions = std::to_array<std::string_view>({
 #endif
 });
 
-// No transcoder or decoder for these is in Debian, or OpenImageIO's reads only files.
+// src/scene/README.md says why.
 constexpr auto kUndecodedImages = std::to_array<const char*>({
     "EXT_texture_astc",
     "EXT_texture_avif",

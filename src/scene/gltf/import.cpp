@@ -94,7 +94,7 @@ class GltfImporter {
                          std::to_string(document_.model.cameras.size()));
         }
         const tinygltf::Camera& source = document_.model.cameras[index];
-        std::optional<SceneCamera> camera = readCamera(source, place.toWorld, scale());
+        std::optional<SceneCamera> camera = readCamera(source, viewToWorld(place), scale());
         if (!camera) {
             file_.warn(elementName("camera", source.name, index) + " at " + label +
                        " shows nothing and is left out");
@@ -102,6 +102,19 @@ class GltfImporter {
         }
         camera->name = !source.name.empty() ? source.name : node(place).name;
         scene_.cameras.push_back(std::move(*camera));
+    }
+
+    // Returns the transform of a camera's node without the mirroring by its own scale: glTF leaves scaling
+    // out of the view (3.10.2).
+    glm::dmat4 viewToWorld(const PlacedNode& place) const {
+        glm::dmat4 toWorld = place.toWorld;
+        const std::vector<double>& scale = node(place).scale;
+        for (std::size_t axis = 0; axis < scale.size(); ++axis) {
+            if (scale[axis] < 0.0) {
+                toWorld[static_cast<int>(axis)] = -toWorld[static_cast<int>(axis)];
+            }
+        }
+        return toWorld;
     }
 
     void addLight(const PlacedNode& place) {
@@ -191,8 +204,8 @@ class GltfImporter {
     GltfElement root_;
     std::vector<GltfElement> nodes_;
     std::vector<GltfElement> lights_;
-    std::vector<std::array<std::uint32_t, 2>> texCoordSets_; // indexed by material
-    std::optional<std::uint32_t> defaultMaterial_;           // index into scene_.materials
+    std::vector<std::array<std::uint32_t, 2>> texCoordSets_;       // indexed by material
+    std::optional<std::uint32_t> defaultMaterial_; // index into scene_.materials
     Scene scene_;
 };
 
