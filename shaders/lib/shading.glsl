@@ -36,8 +36,9 @@ vec3 loadVertexNormal(const uint i) { return uintBitsToFloat(LOAD4(vertexWords, 
 
 Vertex loadVertex(const uint i) {
     const vec4 a = uintBitsToFloat(LOAD4(vertexWords, 2u * i));
-    const vec4 b = uintBitsToFloat(LOAD4(vertexWords, 2u * i + 1u));
-    return Vertex(a.xyz, a.w, b.x, b.y, b.z, 0u);
+    const uvec4 words = LOAD4(vertexWords, 2u * i + 1u);
+    const vec3 b = uintBitsToFloat(words.xyz);
+    return Vertex(a.xyz, a.w, b.x, b.y, b.z, words.w);
 }
 
 vec4 loadColor(const uint i) { return uintBitsToFloat(LOAD4(colorWords, i)); }

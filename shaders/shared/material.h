@@ -26,26 +26,35 @@ SHARED_FN float levelOf(const vec2 a, const vec2 b, const vec2 c, const float pa
 // TexturePoint::uLevel.
 SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const vec3 weights,
                                     const float part, const float uLevel) {
+    TexturePoint point = TexturePoint(vec2(0.0f), vec2(0.0f), vec2(0.0f), vec2(0.0f), kFinestLevel,
+                                      kFinestLevel, kFinestLevel, kFinestLevel, uLevel);
     if (!hasFeature(SCENE kFeatureTextures)) {
-        return TexturePoint(vec2(0.0f), vec2(0.0f), kFinestLevel, kFinestLevel, 0.0f);
+        return point;
     }
+    const bool hasLevels = hasFeature(SCENE kFeatureMipmaps) && part > 0.0f;
     const Vertex a = loadVertex(SCENE surface.vertex0);
     const Vertex b = loadVertex(SCENE surface.vertex1);
     const Vertex c = loadVertex(SCENE surface.vertex2);
-    const vec2 a0 = vec2(a.u0, a.v0);
-    const vec2 b0 = vec2(b.u0, b.v0);
-    const vec2 c0 = vec2(c.u0, c.v0);
-    const vec2 a1 = vec2(a.u1, a.v1);
-    const vec2 b1 = vec2(b.u1, b.v1);
-    const vec2 c1 = vec2(c.u1, c.v1);
-    float level0 = kFinestLevel;
-    float level1 = kFinestLevel;
-    if (hasFeature(SCENE kFeatureMipmaps) && part > 0.0f) {
-        level0 = levelOf(a0, b0, c0, part);
-        level1 = levelOf(a1, b1, c1, part);
+    point.first = vec2(a.u0, a.v0) * weights.x + vec2(b.u0, b.v0) * weights.y + vec2(c.u0, c.v0) * weights.z;
+    point.second = vec2(a.u1, a.v1) * weights.x + vec2(b.u1, b.v1) * weights.y + vec2(c.u1, c.v1) * weights.z;
+    if (hasLevels) {
+        point.firstLevel = levelOf(vec2(a.u0, a.v0), vec2(b.u0, b.v0), vec2(c.u0, c.v0), part);
+        point.secondLevel = levelOf(vec2(a.u1, a.v1), vec2(b.u1, b.v1), vec2(c.u1, c.v1), part);
     }
-    return TexturePoint(a0 * weights.x + b0 * weights.y + c0 * weights.z,
-                        a1 * weights.x + b1 * weights.y + c1 * weights.z, level0, level1, uLevel);
+    if (!hasFeature(SCENE kFeatureFurtherSets)) {
+        return point;
+    }
+    // Not a, b and c again: glslang's pass for `precise` never ends where a struct is made of its own member.
+    const Vertex d = loadVertex(SCENE a.further);
+    const Vertex e = loadVertex(SCENE b.further);
+    const Vertex f = loadVertex(SCENE c.further);
+    point.third = vec2(d.u0, d.v0) * weights.x + vec2(e.u0, e.v0) * weights.y + vec2(f.u0, f.v0) * weights.z;
+    point.fourth = vec2(d.u1, d.v1) * weights.x + vec2(e.u1, e.v1) * weights.y + vec2(f.u1, f.v1) * weights.z;
+    if (hasLevels) {
+        point.thirdLevel = levelOf(vec2(d.u0, d.v0), vec2(e.u0, e.v0), vec2(f.u0, f.v0), part);
+        point.fourthLevel = levelOf(vec2(d.u1, d.v1), vec2(e.u1, e.v1), vec2(f.u1, f.v1), part);
+    }
+    return point;
 }
 
 // Returns the point for look-ups of alpha and emission by rays without a width: the full-size level.

@@ -49,7 +49,7 @@ struct Vertex {
     float v0;
     float u1;
     float v1;
-    uint padding;
+    uint further; // with kFeatureFurtherSets, the vertex that holds the third and the fourth set
 };
 
 const uint kNoTextureRecord = 0xffffffffu;
@@ -85,8 +85,9 @@ const uint kWrapClamp = 2u;
 const uint kTextureNearest = 16u;         // nearest filter when magnified; otherwise bilinear
 const uint kTextureMinifiedNearest = 32u; // nearest filter when minified; otherwise bilinear
 const uint kTextureBetweenLevels = 64u;   // when minified, blend two levels; otherwise use the nearest level
-const uint kTextureSecondSet = 128u;      // use the second set of texture coordinates
-const uint kTextureLastLevelShift = 8u;   // of the coarsest level; it is 0 if there is only the full size
+const uint kTextureSecondSet = 128u;      // use the second set of texture coordinates, or the fourth
+const uint kTextureFurtherSet = 256u;     // use the third or the fourth set of texture coordinates
+const uint kTextureLastLevelShift = 9u;   // of the coarsest level; it is 0 if there is only the full size
 
 // One use of a texture by a material.
 struct TextureUse {

@@ -72,13 +72,17 @@ SHARED_FN vec4 texelAt(SCENE_PARAMETER const TextureLevel level, const int x, co
     return vec4(linear, float(word >> 24u) / 255.0f);
 }
 
-// The place at which a surface looks up its textures: two sets of texture coordinates, and the footprint in
-// each.
+// The place at which a surface looks up its textures: sets of texture coordinates, and the footprint in each.
+// The third and the fourth count with kFeatureFurtherSets.
 struct TexturePoint {
     vec2 first;
     vec2 second;
+    vec2 third;
+    vec2 fourth;
     float firstLevel; // log2 of the side of the footprint, taken as a square; kFinestLevel: a point
     float secondLevel;
+    float thirdLevel;
+    float fourthLevel;
     float uLevel; // random number in [0, 1) that chooses between two levels
 };
 const float kFinestLevel = -1000.0f;
@@ -98,7 +102,8 @@ SHARED_FN vec4 lookUp(SCENE_PARAMETER const uint textureId, const TexturePoint a
     }
     const TextureUse use = loadTextureUse(SCENE textureId);
     const bool isSecond = (use.flags & kTextureSecondSet) != 0u;
-    const vec2 uv = isSecond ? at.second : at.first;
+    const bool isFurther = hasFeature(SCENE kFeatureFurtherSets) && (use.flags & kTextureFurtherSet) != 0u;
+    const vec2 uv = isFurther ? (isSecond ? at.fourth : at.third) : (isSecond ? at.second : at.first);
     const float u = use.rowU.x * uv.x + use.rowU.y * uv.y + use.rowU.z;
     const float v = use.rowV.x * uv.x + use.rowV.y * uv.y + use.rowV.z;
     const uint wrapS = use.flags & kTextureWrapMask;
@@ -106,7 +111,9 @@ SHARED_FN vec4 lookUp(SCENE_PARAMETER const uint textureId, const TexturePoint a
     uint levelId = textureId;
     bool isNearest = (use.flags & kTextureNearest) != 0u;
     if (hasFeature(SCENE kFeatureMipmaps)) {
-        const float texels = use.unitLevel + (isSecond ? at.secondLevel : at.firstLevel);
+        const float level = isFurther ? (isSecond ? at.fourthLevel : at.thirdLevel)
+                                      : (isSecond ? at.secondLevel : at.firstLevel);
+        const float texels = use.unitLevel + level;
         levelId = textureId + chosenLevel(use.flags, texels, at.uLevel);
         isNearest = (use.flags & (texels > 0.0f ? kTextureMinifiedNearest : kTextureNearest)) != 0u;
     }

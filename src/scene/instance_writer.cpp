@@ -54,6 +54,8 @@ void InstanceWriter::write(const std::string& label, const MeshGeometry& part, s
     const auto texCoord = [this](const glm::vec2& value) { return checkedTexCoord(value); };
     append(scene_.texCoords, part.texCoords[0], count, glm::vec2(0.0f), texCoord);
     appendOptional(scene_.texCoords1, part.texCoords[1], count, before, glm::vec2(0.0f), texCoord);
+    appendOptional(scene_.texCoords2, part.texCoords[2], count, before, glm::vec2(0.0f), texCoord);
+    appendOptional(scene_.texCoords3, part.texCoords[3], count, before, glm::vec2(0.0f), texCoord);
     appendOptional(scene_.colors, part.colors, count, before, glm::vec4(1.0f),
                    [this](const glm::vec4& color) { return checkedColor(color); });
     appendOptional(scene_.tangents, part.tangents, count, before, glm::vec4(0.0f),

@@ -46,8 +46,9 @@ void copyVertex(MeshGeometry& geometry, std::uint32_t vertex) {
     };
     copy(geometry.positions);
     copy(geometry.normals);
-    copy(geometry.texCoords[0]);
-    copy(geometry.texCoords[1]);
+    for (std::vector<glm::vec2>& texCoords : geometry.texCoords) {
+        copy(texCoords);
+    }
     copy(geometry.colors);
 }
 

@@ -16,7 +16,7 @@ namespace metamarch {
 struct MeshGeometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals; // any length
-    std::array<std::vector<glm::vec2>, 2> texCoords;
+    std::array<std::vector<glm::vec2>, 4> texCoords;
     std::vector<glm::vec4> colors;
     std::vector<glm::vec4> tangents; // w is the sign of the bitangent
     std::vector<glm::uvec3> triangles;

@@ -67,6 +67,8 @@ struct Scene {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> texCoords;  // zero where the file gives none
     std::vector<glm::vec2> texCoords1; // optional; otherwise like texCoords
+    std::vector<glm::vec2> texCoords2; // likewise
+    std::vector<glm::vec2> texCoords3; // likewise
     // Optional; linear; multiplies the base colour; 1 where the file gives none.
     std::vector<glm::vec4> colors;
     // Optional. xyz: unit length, world space, perpendicular to the normal only if the file says so. The

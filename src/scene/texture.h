@@ -46,7 +46,7 @@ struct Texture {
 // One use of a texture by a material.
 struct TextureRef {
     std::uint32_t texture = kNoTexture; // index into Scene::textures
-    std::uint32_t texCoord = 0;         // 0: Scene::texCoords, 1: Scene::texCoords1
+    std::uint32_t texCoord = 0;         // 0: Scene::texCoords, 1 to 3: Scene::texCoords1 to texCoords3
     bool isSrgb = false; // decode r, g and b from sRGB before any other use; alpha is always linear
     // KHR_texture_transform, two rows of three: texels are looked up at transform * vec3(texCoord, 1).
     glm::mat3x2 transform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};

@@ -88,10 +88,20 @@ void addSurfaces(const Scene& scene, ShadingScene& target) {
         const glm::uvec3 corners = scene.triangles[i];
         target.surfaces.push_back({corners.x, corners.y, corners.z, materialOf(scene, i)});
     }
-    for (std::size_t i = 0; i < scene.positions.size(); ++i) {
-        const glm::vec2 first = scene.texCoords.empty() ? glm::vec2(0.0f) : scene.texCoords[i];
-        const glm::vec2 second = scene.texCoords1.empty() ? glm::vec2(0.0f) : scene.texCoords1[i];
-        target.vertices.push_back({scene.normals[i], first.x, first.y, second.x, second.y, 0});
+    const auto count = static_cast<std::uint32_t>(scene.positions.size());
+    const bool hasFurther = (target.features & kFeatureFurtherSets) != 0u;
+    const auto addPair = [&](const std::vector<glm::vec2>& first, const std::vector<glm::vec2>& second,
+                             const bool isFurther) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const glm::vec2 a = first.empty() ? glm::vec2(0.0f) : first[i];
+            const glm::vec2 b = second.empty() ? glm::vec2(0.0f) : second[i];
+            target.vertices.push_back({isFurther ? glm::vec3(0.0f) : scene.normals[i], a.x, a.y, b.x, b.y,
+                                       hasFurther && !isFurther ? count + i : 0u});
+        }
+    };
+    addPair(scene.texCoords, scene.texCoords1, false);
+    if (hasFurther) {
+        addPair(scene.texCoords2, scene.texCoords3, true);
     }
     if (!scene.colors.empty()) {
         target.colors = scene.colors;

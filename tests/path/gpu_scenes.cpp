@@ -118,6 +118,23 @@ void textures(PathScene& made, Material& ball, const bool isDeep) {
     }
 }
 
+// Four sets of texture coordinates, each its own, with levels.
+void furtherSets(PathScene& made, Material& ball) {
+    textures(made, ball, false);
+    ball.transmissionFactor = 0.5f;
+    ball.transmissionTexture = {addWaves(made.scene, false), 2};
+    ball.emissiveTexture.texCoord = 3;
+    for (Texture& texture : made.scene.textures) {
+        texture.minFilter = TextureFilter::linearMipmapLinear;
+    }
+    made.scene.texCoords2 = made.scene.texCoords;
+    made.scene.texCoords3 = made.scene.texCoords1;
+    for (std::size_t i = 0; i < made.scene.texCoords2.size(); ++i) {
+        made.scene.texCoords2[i] = 2.3f * made.scene.texCoords2[i] + glm::vec2(0.1f, 0.4f);
+        made.scene.texCoords3[i] = 0.6f * made.scene.texCoords3[i] - glm::vec2(0.7f, 0.2f);
+    }
+}
+
 // Returns a floor with many repetitions of a texture, which are smaller than a pixel at its far end.
 void mipmaps(PathScene& made, const bool isDeep, const TextureFilter minFilter,
              const TextureFilter magFilter = TextureFilter::linear) {
@@ -278,6 +295,7 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          [] { return ballScene([](PathScene& m, Material& ball) { textures(m, ball, false); }); }},
         {"deep_textures",
          [] { return ballScene([](PathScene& m, Material& ball) { textures(m, ball, true); }); }},
+        {"further_sets", [] { return ballScene(furtherSets); }},
         {"texture_chunks",
          [] {
              return ballScene([](PathScene& made, Material& ball) {

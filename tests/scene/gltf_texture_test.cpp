@@ -111,8 +111,33 @@ TEST(GltfTexture, AnyTwoSetsAreRead) {
     EXPECT_EQ(scene.materials[0].baseColorTexture.texCoord, 1u);
     EXPECT_EQ(scene.texCoords[0].x, 1.0f);
     EXPECT_EQ(scene.texCoords1[0].x, 3.0f);
-    file.root["materials"][0]["normalTexture"] = {{"index", 0}, {"texCoord", 0}};
-    EXPECT_EQ(file.refusal(), "material 0: uses 3 sets of texture coordinates, the limit is 2");
+}
+
+// A material that uses sets 0, 2, 3 and 7 gets them as its sets 0 to 3; a fifth is one too many.
+TEST(GltfTexture, UpToFourSetsAreRead) {
+    TwoSetsFile file;
+    file.primitive()["attributes"]["TEXCOORD_7"] = file.addFloats("VEC2", 2, {7, 0, 7, 1, 7, 2});
+    Json& material = file.root["materials"][0];
+    file.info()["texCoord"] = 3;
+    material["emissiveTexture"] = {{"index", 0}, {"texCoord", 0}};
+    material["normalTexture"] = {{"index", 0}, {"texCoord", 7}};
+    Scene scene = file.load();
+    EXPECT_EQ(scene.materials[0].emissiveTexture.texCoord, 0u);
+    EXPECT_EQ(scene.materials[0].baseColorTexture.texCoord, 1u);
+    EXPECT_EQ(scene.materials[0].normalTexture.texCoord, 2u);
+    EXPECT_EQ(scene.texCoords1[0], glm::vec2(3, 0));
+    EXPECT_EQ(scene.texCoords2[1], glm::vec2(7, 1));
+    EXPECT_TRUE(scene.texCoords3.empty());
+    const auto metallicRoughness = [&](int set) {
+        material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}, {"texCoord", set}};
+    };
+    metallicRoughness(2);
+    scene = file.load();
+    EXPECT_EQ(scene.materials[0].normalTexture.texCoord, 3u);
+    EXPECT_EQ(scene.texCoords3[1], glm::vec2(7, 1));
+    material["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = {{"index", 0},
+                                                                                   {"texCoord", 1}};
+    EXPECT_EQ(file.refusal(), "material 0: uses 5 sets of texture coordinates, the limit is 4");
 }
 
 TEST(GltfTexture, TransformMayNameTheSet) {

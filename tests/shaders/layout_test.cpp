@@ -113,7 +113,7 @@ const StructLayout kStructs[] = {
     {"Vertex",
      sizeof(Vertex),
      {MEMBER(Vertex, normal), MEMBER(Vertex, u0), MEMBER(Vertex, v0), MEMBER(Vertex, u1), MEMBER(Vertex, v1),
-      MEMBER(Vertex, padding)}},
+      MEMBER(Vertex, further)}},
     {"MaterialRecord",
      sizeof(MaterialRecord),
      {

@@ -48,9 +48,6 @@ ShadingScene sceneOfDistinctWords() {
     for (auto& chunk : scene.texels) {
         fill(chunk);
     }
-    for (Vertex& vertex : scene.vertices) {
-        vertex.padding = 0;
-    }
     for (Emitter& emitter : scene.emitters) {
         emitter.padding = 0;
     }

@@ -204,7 +204,7 @@ class GltfImporter {
     GltfElement root_;
     std::vector<GltfElement> nodes_;
     std::vector<GltfElement> lights_;
-    std::vector<std::array<std::uint32_t, 2>> texCoordSets_;       // indexed by material
+    std::vector<TexCoordSets> texCoordSets_;       // indexed by material
     std::optional<std::uint32_t> defaultMaterial_; // index into scene_.materials
     Scene scene_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/material.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -184,28 +186,27 @@ class MaterialReader {
     Material material_;
 };
 
-// Renumbers the file's sets of texture coordinates as 0 and 1.
+// Renumbers the file's sets of texture coordinates from 0. Sets 0 and 1 keep their numbers if they are all.
 void renumberTexCoords(const GltfElement& source, GltfMaterial& read) {
     std::vector<std::uint32_t> sets;
-    for (TextureRef* ref : texturesOf(read.material)) {
-        if (ref->texture == kNoTexture) {
-            continue;
-        }
-        if (std::ranges::find(sets, ref->texCoord) == sets.end()) {
+    for (const TextureRef* ref : texturesOf(read.material)) {
+        if (ref->texture != kNoTexture && std::ranges::find(sets, ref->texCoord) == sets.end()) {
             sets.push_back(ref->texCoord);
         }
     }
-    std::ranges::sort(sets); // so that sets 0 and 1 keep their numbers
-    if (sets.size() > 2) {
-        source.refuse("uses " + std::to_string(sets.size()) + " sets of texture coordinates, the limit is 2");
+    std::ranges::sort(sets);
+    if (sets.size() > read.texCoordSets.size()) {
+        source.refuse(fmt::format("uses {} sets of texture coordinates, the limit is {}", sets.size(),
+                                  read.texCoordSets.size()));
     }
     if (sets.empty() || sets.back() <= 1) {
         return;
     }
+    read.texCoordSets.fill(kNoTexCoordSet);
     std::ranges::copy(sets, read.texCoordSets.begin());
     for (TextureRef* ref : texturesOf(read.material)) {
         if (ref->texture != kNoTexture) {
-            ref->texCoord = ref->texCoord == read.texCoordSets[0] ? 0 : 1;
+            ref->texCoord = static_cast<std::uint32_t>(std::ranges::find(sets, ref->texCoord) - sets.begin());
         }
     }
 }

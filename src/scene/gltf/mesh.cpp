@@ -48,8 +48,7 @@ using Attributes = std::map<std::string, int>;
 class PartReader {
   public:
     PartReader(const tinygltf::Model& model, InputFile& file, const tinygltf::Primitive& primitive,
-               const std::vector<double>& weights, const std::array<std::uint32_t, 2>& texCoordSets,
-               GltfPart& part)
+               const std::vector<double>& weights, const TexCoordSets& texCoordSets, GltfPart& part)
         : model_(model), file_(file), primitive_(primitive), weights_(weights), texCoordSets_(texCoordSets),
           part_(part) {}
 
@@ -80,7 +79,9 @@ class PartReader {
         geometry.positions = attribute<3>("POSITION");
         geometry.normals = attribute<3>("NORMAL");
         for (std::size_t set = 0; set < geometry.texCoords.size(); ++set) {
-            geometry.texCoords[set] = attribute<2>("TEXCOORD_" + std::to_string(texCoordSets_[set]));
+            if (texCoordSets_[set] != kNoTexCoordSet) {
+                geometry.texCoords[set] = attribute<2>("TEXCOORD_" + std::to_string(texCoordSets_[set]));
+            }
         }
         geometry.colors = readColors();
         if (!geometry.normals.empty()) {
@@ -236,7 +237,7 @@ class PartReader {
     InputFile& file_;
     const tinygltf::Primitive& primitive_;
     const std::vector<double>& weights_;
-    const std::array<std::uint32_t, 2>& texCoordSets_;
+    const TexCoordSets& texCoordSets_;
     GltfPart& part_;
     std::uint64_t count_ = 0; // number of vertices
 };
@@ -259,8 +260,7 @@ std::uint32_t materialOf(const GltfElement& primitive, std::optional<int> varian
 } // namespace
 
 GltfMeshes::GltfMeshes(const GltfDocument& document, InputFile& file,
-                       const std::vector<std::array<std::uint32_t, 2>>& texCoordSets,
-                       std::optional<int> variant)
+                       const std::vector<TexCoordSets>& texCoordSets, std::optional<int> variant)
     : document_(document), file_(file), texCoordSets_(texCoordSets), variant_(variant),
       meshes_(GltfElement(file, "", &document.json).objects("meshes", "mesh")) {}
 
@@ -271,7 +271,6 @@ std::vector<GltfPart> GltfMeshes::read(int mesh, const std::vector<double>& weig
         file_.refuse(label + ": mesh " + std::to_string(mesh) + " does not exist, there are " +
                      std::to_string(meshes_.size()));
     }
-    constexpr std::array<std::uint32_t, 2> kFirstSets = {0, 1};
     const tinygltf::Mesh& source = document_.model.meshes[index];
     const std::vector<double>& ofTargets = weights.empty() ? source.weights : weights;
     const std::vector<GltfElement> primitives = meshes_[index].objects("primitives", "primitive");
@@ -280,7 +279,7 @@ std::vector<GltfPart> GltfMeshes::read(int mesh, const std::vector<double>& weig
         GltfPart part;
         part.label = primitives[i].label();
         part.material = materialOf(primitives[i], variant_, texCoordSets_.size());
-        const auto& sets = part.material == kNoMaterial ? kFirstSets : texCoordSets_[part.material];
+        const auto& sets = part.material == kNoMaterial ? kFirstTexCoordSets : texCoordSets_[part.material];
         if (PartReader(document_.model, file_, source.primitives[i], ofTargets, sets, part).read()) {
             parts.push_back(std::move(part));
         }

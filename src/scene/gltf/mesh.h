@@ -3,6 +3,7 @@
 #pragma once
 #include "metamarch/scene/gltf/document.h"
 #include "metamarch/scene/gltf/element.h"
+#include "metamarch/scene/gltf/material.h"
 #include "metamarch/scene/mesh_geometry.h"
 
 #include <array>
@@ -29,10 +30,10 @@ struct GltfPart {
 
 class GltfMeshes {
   public:
-    // `texCoordSets` gives, for each material of the file, the TEXCOORD_n that are its sets 0 and 1.
+    // `texCoordSets` gives, for each material of the file, the TEXCOORD_n that are its sets.
     // `variant` is an index into the file's variants. All arguments must outlive the object.
-    GltfMeshes(const GltfDocument& document, InputFile& file,
-               const std::vector<std::array<std::uint32_t, 2>>& texCoordSets, std::optional<int> variant);
+    GltfMeshes(const GltfDocument& document, InputFile& file, const std::vector<TexCoordSets>& texCoordSets,
+               std::optional<int> variant);
 
     // Returns every primitive that has triangles: lists, strips and fans, indexed or not. Points and lines
     // cause a warning. Morph targets are applied with `weights`, or with the mesh's own weights if that is
@@ -43,7 +44,7 @@ class GltfMeshes {
   private:
     const GltfDocument& document_;
     InputFile& file_;
-    const std::vector<std::array<std::uint32_t, 2>>& texCoordSets_;
+    const std::vector<TexCoordSets>& texCoordSets_;
     std::optional<int> variant_;
     std::vector<GltfElement> meshes_;
 };

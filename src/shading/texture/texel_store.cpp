@@ -98,12 +98,13 @@ std::uint32_t TexelStore::add(const TextureRef& ref, const ColorWeight weight) {
     record.use.unitLevel = unitLevelOf(image, ref.transform);
     const bool isMagnifiedNearest = isNearest(texture.magFilter);
     const bool isMinifiedNearest = isNearest(texture.minFilter);
-    record.use.flags = wrapBits(texture.wrapS) | wrapBits(texture.wrapT) << kTextureWrapTShift |
-                       (isMagnifiedNearest ? kTextureNearest : 0u) |
-                       (isMinifiedNearest ? kTextureMinifiedNearest : 0u) |
-                       (isBetweenLevels(texture.minFilter) ? kTextureBetweenLevels : 0u) |
-                       (ref.texCoord == 1 ? kTextureSecondSet : 0u);
-    target.features |= kFeatureTextures | (isDeep(image) ? kFeatureDeepTextures : 0u) |
+    record.use.flags =
+        wrapBits(texture.wrapS) | wrapBits(texture.wrapT) << kTextureWrapTShift |
+        (isMagnifiedNearest ? kTextureNearest : 0u) | (isMinifiedNearest ? kTextureMinifiedNearest : 0u) |
+        (isBetweenLevels(texture.minFilter) ? kTextureBetweenLevels : 0u) |
+        (ref.texCoord % 2 == 1 ? kTextureSecondSet : 0u) | (ref.texCoord >= 2 ? kTextureFurtherSet : 0u);
+    target.features |= kFeatureTextures | (ref.texCoord >= 2 ? kFeatureFurtherSets : 0u) |
+                       (isDeep(image) ? kFeatureDeepTextures : 0u) |
                        (isMagnifiedNearest != isMinifiedNearest ? kFeatureMipmaps : 0u);
     target.textures.push_back(record);
     if (hasLevels(texture.minFilter)) {
