@@ -153,7 +153,10 @@ TEST(PathMipmap, hasEveryFilterOfGltf) {
         addMaterial(made.scene, paint);
         const ShadingScene shading = shadingOf(made);
         const float level = seen.level - shading.textures[0].use.unitLevel;
-        const TexturePoint at{{0.25f, 0.5f}, {0, 0}, level, 0.0f, seen.u};
+        TexturePoint at{};
+        at.first = {0.25f, 0.5f};
+        at.firstLevel = level;
+        at.uLevel = seen.u;
         EXPECT_NEAR(lookUp(shading, 0, at).x, seen.expected, kByte)
             << "mag " << static_cast<int>(seen.mag) << ", min " << static_cast<int>(seen.min) << ", level "
             << seen.level << ", u " << seen.u;
