@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OBJ, PLY, OFF and STL.
+#include "fixtures/expect_error.h"
 #include "fixtures/temporary_folder.h"
 #include "metamarch/error/error.h"
 #include "scene/gltf_file.h"
@@ -163,6 +164,17 @@ TEST_F(MeshImport, ProseIsNoMesh) {
 TEST_F(MeshImport, OtherFormatsUnderAMeshEnding) {
     EXPECT_FALSE(refusal("a.obj", R"({"asset":{"version":"2.0"}})").empty());
     EXPECT_FALSE(refusal("a.stl", kPly).empty());
+}
+
+TEST_F(MeshImport, HasOneSceneAndNoVariantsOrAnimations) {
+    writeFile(folder / "a.off", kOff);
+    EXPECT_EQ(loadScene(folder / "a.off", {.scene = "0"}).triangles.size(), kTriangles.size() - 1);
+    expectError(ErrorKind::invalidArgument, "there is no scene main; the scene has 0 ''", {"scene"},
+                [&] { loadScene(folder / "a.off", {.scene = "main"}); });
+    expectError(ErrorKind::invalidArgument, "there is no variant red; the scene has none", {"variant"},
+                [&] { loadScene(folder / "a.off", {.variant = "red"}); });
+    expectError(ErrorKind::invalidArgument, "there is no animation 0; the scene has none", {"animation"},
+                [&] { loadScene(folder / "a.off", {.animation = "0"}); });
 }
 
 TEST_F(MeshImport, ScaleIsFiniteAndNotZero) {

@@ -255,7 +255,10 @@ MeshFile readMesh(InputFile& file, const std::string& ending) {
 } // namespace
 
 Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions& options) {
-    // These formats have no variants and no animations, so any choice of one is an error.
+    // These formats have one scene without a name, no variants and no animations.
+    if (!options.scene.empty()) {
+        chooseIndex("scene", {""}, options.scene);
+    }
     if (!options.variant.empty()) {
         chooseIndex("variant", {}, options.variant);
     }

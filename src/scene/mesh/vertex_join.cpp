@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <random>
 
 namespace metamarch {
 namespace {
@@ -24,9 +25,12 @@ std::array<std::uint32_t, 4> keyOf(const glm::uvec4& corner) {
 }
 
 // FNV-1a, one word at a time, and the last step of MurmurHash3, which mixes the high bits into the low ones.
+// It begins with a random number, so that no file can choose values with equal hashes. The result of a search
+// does not depend on it.
 template <std::size_t n>
 std::size_t hashOf(const std::array<std::uint32_t, n>& key) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
+    static const std::uint64_t start = 0xcbf29ce484222325u ^ (std::uint64_t{std::random_device()()} << 32);
+    std::uint64_t hash = start;
     for (const std::uint32_t word : key) {
         hash = (hash ^ word) * 0x100000001b3u;
     }
