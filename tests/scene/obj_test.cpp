@@ -40,7 +40,7 @@ TEST_F(Obj, MarkOfByteOrder) {
 
 TEST_F(Obj, CommentsBehindData) {
     EXPECT_EQ(area("v -1 -1 0 # one\nv 1 -1 0# two\nv 1 1 0 #\nv -1 1 0\nvt 0 0 # none\nvn 0 0 1 # up\n"
-                   "f 1/1/1 2/1/1 3/1/1 4/1/1# a quad\n  # the end"),
+                   "f 1/1/1 2/1/1 3/1/1 4/1/1# a quad\n$ by Viewpoint\n  # the end"),
               4.0);
 }
 

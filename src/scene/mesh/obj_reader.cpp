@@ -107,7 +107,8 @@ class ObjReader {
     PolygonMesh& mesh() { return result_.polygons; }
 
     void readLine(std::string_view keyword) {
-        if (keyword.empty() || keyword.starts_with('#')) {
+        // $ begins a comment in files of Viewpoint.
+        if (keyword.empty() || keyword.starts_with('#') || keyword.starts_with('$')) {
             return;
         }
         if (keyword == "v") {
