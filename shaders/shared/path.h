@@ -171,15 +171,33 @@ SHARED_FN Path chooseChannel(const Path path, const MaterialRecord record, const
     return chosen;
 }
 
+// Returns the part of the light that the medium leaves after `distance`.
+SHARED_FN vec3 transmittance(SCENE_PARAMETER const uint medium, const float distance) {
+    vec3 left = vec3(1.0f);
+    if (medium != kNoMedium) {
+        const vec3 depth = loadMaterial(SCENE materialOf(medium)).absorption * distance;
+        left = vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
+    }
+    return left;
+}
+
+// `ahead` and `behind` are the media on the side of the path and on the other side of the surface.
 SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, const Path path,
-                                 const Bsdf bsdf, const SurfacePoint point, const PixelSample at) {
+                                 const Bsdf bsdf, const SurfacePoint point, const uint ahead,
+                                 const uint behind, const PixelSample at) {
     const vec2 u = sample2d(at, bounceDimension(path.bounce, kBounceLight));
     const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, u);
     const BsdfValue found = evalBsdf(bsdf, light.wi);
     const float weight = sampledWeight(settings, light.pdf, found.pdf);
-    const vec3 gain = clampedGain(settings, path.throughput * found.value * light.arriving * weight);
     const vec3 origin = offsetPoint(point, light.wi);
     const vec3 dir = light.isFar ? light.wi : light.end - origin;
+    vec3 arriving = light.arriving;
+    // The surface of a volume hides far lights from its inside.
+    if (hasFeature(SCENE kFeatureVolume) && !light.isFar) {
+        const bool isThrough = dotProduct(light.wi, bsdf.frame.normal) < 0.0f;
+        arriving = arriving * transmittance(SCENE isThrough ? behind : ahead, sqrt(dotProduct(dir, dir)));
+    }
+    const vec3 gain = clampedGain(settings, path.throughput * found.value * arriving * weight);
     const bool isNeeded =
         !bsdf.isDelta && largest(gain) > 0.0f && (settings.strategies & kSampleLights) != 0u;
     return ShadowRay(origin, light.isFar ? kFarthest : 1.0f, dir, isNeeded, gain);
@@ -259,6 +277,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     Path path = chooseChannel(arriving, record, at);
     float ior = iorFor(path, record);
     const uint medium = mediumOf(surface.material); // of a volume
+    uint behind = kNoMedium;                        // the medium on the other side of the surface
     bool isPassed = false;
     if (hasFeature(SCENE kFeatureVolume)) {
         const bool isVolume = (record.flags & kSurfaceVolume) != 0u;
@@ -266,12 +285,9 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         if (isVolume && isBack && !isInside(path.media, medium)) {
             path.media = enclosedBy(path.media, medium);
         }
-        if (path.media.first != kNoMedium) {
-            const vec3 depth = loadMaterial(SCENE materialOf(path.media.first)).absorption * t;
-            path.throughput =
-                path.throughput * vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
-        }
+        path.throughput = path.throughput * transmittance(SCENE path.media.first, t);
         isPassed = isVolume && !isInterface(path.media, medium, isBack);
+        behind = isVolume ? crossSurface(path.media, medium, isBack).first : path.media.first;
         const uint outside = mediumOutside(path.media, isBack);
         if (isVolume && outside != kNoMedium) {
             const float outsideIor = iorFor(path, loadMaterial(SCENE materialOf(outside)));
@@ -299,7 +315,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
-        shadow = sampleLights(SCENE settings, path, bsdf, point, at);
+        shadow = sampleLights(SCENE settings, path, bsdf, point, path.media.first, behind, at);
         shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed;
     }
     Path next = scatter(path, record, medium, bsdf, point, width, at);

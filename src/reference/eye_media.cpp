@@ -6,6 +6,8 @@
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/surface.h"
 
+#include <vector>
+
 namespace metamarch {
 namespace {
 
@@ -19,7 +21,7 @@ Media mediaAt(const AccelerationStructure& structure, const ShadingScene& scene,
     if (!hasFeature(scene, kFeatureVolume)) {
         return around;
     }
-    Media entered = noMedia();
+    std::vector<std::uint32_t> entered(scene.materials.size()); // how many volumes of each material
     Ray ray = makeRay(structure.lattice, point, 0.0f, kOutwards, kFarthest);
     while (true) {
         const TraceResult found = traceKdStack(structure, ray, HitQuery::closest);
@@ -29,13 +31,14 @@ Media mediaAt(const AccelerationStructure& structure, const ShadingScene& scene,
         const TriangleRecord& triangle = structure.triangles[found.recordIndex];
         const std::uint32_t material = scene.surfaces[found.hit.triangleId].material;
         if ((scene.materials[material].flags & kSurfaceVolume) != 0u) {
-            const std::uint32_t medium = mediumOf(material);
             const bool isBack =
                 glm::dot(scaledNormal(triangle.v0, triangle.v1, triangle.v2), kOutwards) > 0.0f;
-            if (!isBack || isInside(entered, medium)) {
-                entered = crossSurface(entered, medium, isBack);
+            if (!isBack) {
+                ++entered[material];
+            } else if (entered[material] > 0) {
+                --entered[material];
             } else {
-                around = enclosedBy(around, medium);
+                around = enclosedBy(around, mediumOf(material));
             }
         }
         ray.tMin = found.hit.t;

@@ -117,6 +117,48 @@ TEST(Media, CameraIsInsideOfTwoVolumes) {
     expectColor(made, after(kGrey, 4.0) * after(kRed, 4.0));
 }
 
+// More volumes than a path remembers lie beside the camera; it is in none of them.
+TEST(Media, CameraIsOutsideOfManyVolumes) {
+    PathScene made;
+    for (int i = 0; i < 6; ++i) {
+        const float grown = 0.1f * static_cast<float>(i);
+        addBox(made.scene, {-30.0f - grown, 4.0f - grown, -30.0f - grown},
+               {30.0f + grown, 8.0f + grown, 30.0f + grown}, addMaterial(made.scene, medium(kRed)));
+    }
+    expectColor(made, glm::dvec3(1.0));
+}
+
+// The camera, a white plane and a light are in one volume: the light goes 2 units to the plane, and 3 to the
+// camera.
+TEST(Media, LightsInAVolumeAreAbsorbed) {
+    const auto seen = [](const Material& volume, const bool isPoint, const std::uint32_t strategies) {
+        PathScene made;
+        addBox(made.scene, {-10, -10, -10}, {10, 10, 10}, addMaterial(made.scene, volume));
+        addQuad(made.scene, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0},
+                addMaterial(made.scene, lambert(glm::vec3(1.0f))));
+        if (isPoint) {
+            addPointLight(made.scene, {0, 0, 2}, 10.0f);
+        } else {
+            addQuad(made.scene, {-0.1f, -0.1f, 2}, {0, 0.2f, 0}, {0.2f, 0, 0},
+                    addMaterial(made.scene, emitter(glm::vec3(100.0f))));
+        }
+        return probe(made, {0.5f, 0, 3}, {0, 0, 0},
+                     {.samples = isPoint ? 4u : 16384u, .maxBounces = 0, .strategies = strategies});
+    };
+    const Material clear = glass(1.0f, 0.0f);
+    const glm::dvec3 expected = after(kRed, 2.0 + std::sqrt(9.25));
+    const glm::dvec3 ofPoint = seen(medium(kRed), true, kSampleLights) / seen(clear, true, kSampleLights);
+    const glm::dvec3 ofLights = seen(medium(kRed), false, kSampleLights) / seen(clear, false, kSampleLights);
+    const glm::dvec3 ofBsdf = seen(medium(kRed), false, kSampleBsdf) / seen(clear, false, kSampleBsdf);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(ofPoint[c], expected[c], 1e-4) << c;
+        // The lamp is 0.2 wide: its corners are 0.5 % farther.
+        EXPECT_NEAR(ofLights[c], expected[c], 0.005) << c;
+        // Every clear sample has its absorbed one: the noise is in the distance alone.
+        EXPECT_NEAR(ofBsdf[c], expected[c], 0.005) << c;
+    }
+}
+
 // Light at normal incidence: a bubble of air in glass reflects as glass does in air, and water in glass less.
 TEST(Media, IndicesBetweenVolumesAreRelative) {
     const auto reflected = [](const float outer, const float inner) {
