@@ -252,6 +252,10 @@ const CLI::App& innermost(const CLI::App& command) {
 
 int reportBadArguments(const CLI::App& command, const CLI::ParseError& error) {
     std::string line = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
+        line.find(": At Most") != std::string::npos) {
+        line = line.substr(0, line.find(':')) + " is given more than once";
+    }
     const CLI::App& meant = innermost(command);
     std::vector<std::string> unknown = meant.remaining();
     if (unknown.empty()) {

@@ -36,7 +36,7 @@ Command makeProgram() {
 int run(const int argc, char** const argv) {
     Command program = makeProgram();
     const int code = runCommandLine(argc, argv, program, versionText());
-    if (!flushResults()) { // a full disk may show only now
+    if (!flushResults() && code == static_cast<int>(ExitCode::done)) { // a full disk may show only now
         throw Error(ErrorKind::outputNotWritable, "cannot write to standard output");
     }
     // Validation is for developers, and a message a defect of the program.

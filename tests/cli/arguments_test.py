@@ -107,6 +107,7 @@ CASES = [
     ("compare black.png .", 3, NO_OUTPUT, r"cannot read .: it is a folder"),
     ("compare black.png grey.png --out no/a.exr", 5, NO_OUTPUT, r"cannot write no/a.exr: there is no such folder"),
     ("compare black.png grey.png --out folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
+    ("render cornell.glb -o a.exr --size 8x8 --size 9x9", 2, NO_OUTPUT, r"render: --size is given more than once \(see .*"),
     # devices
     ("devices", 0, r"\* \d+  .* usable +yes.*", NO_OUTPUT),
     ("devices --json", 0, r'\[\n.*"usable": true.*\]\n', NO_OUTPUT),

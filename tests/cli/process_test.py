@@ -12,6 +12,7 @@ from program import SCENES, ProgramTest, as_nobody, main, metamarch, unshare
 
 CORNELL = SCENES / "cornell.glb"
 SMALL = ("--size", "8x8", "--spp", "1", "--backend", "cpu")
+SMALL_ON_ANY = ("--size", "8x8", "--spp", "1", "--backend")
 ENDLESS = ("--size", "256x256", "--spp", "100000", "--backend", "cpu", "--background", "1,1,1")
 
 
@@ -47,6 +48,7 @@ class ProcessTest(ProgramTest):
     def begin_endless(self, *before):
         run = subprocess.Popen([*before, metamarch(), "render", CORNELL, "-o", "a.exr", *ENDLESS], cwd=self.tmp,
                                stderr=subprocess.PIPE, env={**os.environ, **self.environment})
+        self.addCleanup(run.kill)
         time.sleep(0.3)
         self.assertIsNone(run.poll())
         return run
@@ -63,13 +65,22 @@ class ProcessTest(ProgramTest):
         for number in (signal.SIGTERM, signal.SIGINT):
             run = self.begin_endless("unshare", "-p", "-f")
             inner = subprocess.run(["pgrep", "-P", str(run.pid)], capture_output=True, text=True, check=True).stdout
-            os.kill(int(inner), number)
+            # The kernel drops signals to a process 1 that has no handler yet: a busy machine takes a while to start it.
+            for _ in range(200):
+                try:
+                    os.kill(int(inner), number)
+                    run.wait(timeout=0.1)
+                    break
+                except subprocess.TimeoutExpired:
+                    pass
+                except ProcessLookupError:
+                    break
             self.assertEqual((run.communicate(timeout=20)[1], run.returncode), (b"", 128 + number))
         self.assertEqual(list(self.tmp.iterdir()), [])
 
     def test_a_file_that_may_not_grow(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
-        result = subprocess.run([metamarch(), "render", CORNELL, "-o", "a.exr", *SMALL, "--size", "64x64"], cwd=self.tmp,
+        result = subprocess.run([metamarch(), "render", CORNELL, "-o", "a.exr", "--size", "64x64", "--spp", "1", "--backend", "cpu"], cwd=self.tmp,
                                 capture_output=True, text=True, check=False, preexec_fn=limit)
         self.assertEqual((result.returncode, result.stderr), (5, "metamarch: cannot write a.exr: File too large\n"))
         self.assertEqual(list(self.tmp.iterdir()), [])
@@ -96,7 +107,7 @@ class ProcessTest(ProgramTest):
         for backend in ("cpu", "gpu"):
             for threads in (8, 12):  # with fewer, libraries end the program before its first line
                 limit = lambda threads=threads: resource.setrlimit(resource.RLIMIT_NPROC, (threads, threads))
-                result = subprocess.run([metamarch(), "render", CORNELL, "-o", f"{backend}.exr", *SMALL, "--backend", backend],
+                result = subprocess.run([metamarch(), "render", CORNELL, "-o", f"{backend}.exr", *SMALL_ON_ANY, backend],
                                         cwd=self.tmp, capture_output=True, text=True, check=False, preexec_fn=limit, **nobody)
                 with self.subTest(backend=backend, threads=threads):
                     self.assertIn(result.returncode, (0, 4, 6), result.stderr)
@@ -105,7 +116,7 @@ class ProcessTest(ProgramTest):
                         self.assertEqual(backend, "gpu")
 
     def test_too_few_addresses_are_not_a_missing_driver(self):
-        for mebibytes in (400, 600, 900, 1100):
+        for mebibytes in (900, 1100):  # with fewer, libraries end the program before its first line
             limit = lambda size=mebibytes << 20: resource.setrlimit(resource.RLIMIT_AS, (size, size))
             result = subprocess.run([metamarch(), "render", CORNELL, "-o", "a.exr", "--size", "8x8", "--spp", "1", "--quiet"],
                                     cwd=self.tmp, capture_output=True, text=True, check=False, preexec_fn=limit)
