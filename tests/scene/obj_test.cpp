@@ -59,6 +59,12 @@ TEST_F(Obj, Numbers) {
               "line 6: '" + std::string(40, 'x') + "...' is not a number");
 }
 
+// As older C libraries of Microsoft print them.
+TEST_F(Obj, NumbersThatAreNotFinite) {
+    EXPECT_EQ(area("vn -1.#IND00 1.#QNAN 1.#INF # broken\n" + kSquare), 4.0);
+    EXPECT_EQ(refusal(kVertices + "v 0 1 1.#QNAN\nf 1 2 5\n"), "mesh 0: position of vertex 4 is not finite");
+}
+
 TEST_F(Obj, LinesAndBlanks) {
     EXPECT_EQ(area("  v\t-1 -1\t\t0  \n\tv 1 -1 0\n\n   \nv  1 1 0\nv -1 1 0\n f  1 2 3  4 \n"), 4.0);
     std::string returns = kSquare;
@@ -135,6 +141,7 @@ TEST_F(Obj, VertexColorsAreSrgb) {
     const Material& material = scene.materials.at(scene.triangleMaterial.at(0));
     EXPECT_EQ(glm::vec3(material.baseColorFactor), glm::vec3(1.0f));
     EXPECT_EQ(material.metallicFactor, 0.0f);
+    EXPECT_EQ(load("v 0 0 0\nv 1 0 0 1.0000001 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n").colors.at(1).r, 1.0f);
     EXPECT_EQ(load("v 0 0 0\nv 1 0 0 255 0 51\nv 0 1 0 0 0 0\nf 1 2 3\n").colors.at(1).r, 1.0f);
 }
 

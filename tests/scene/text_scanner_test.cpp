@@ -36,13 +36,15 @@ TEST(TextScanner, NumbersThatAreNotFinite) {
     EXPECT_EQ(parseNumber("INF"), kInfinity);
     EXPECT_EQ(parseNumber("-inf"), -kInfinity);
     EXPECT_EQ(parseNumber("-1.#INF"), -kInfinity);
-    for (const char* word : {"nan", "NaN", "-nan(ind)", "1.#QNAN", "-1.#IND000"}) {
+    for (const char* word :
+         {"nan", "NaN", "-nan(ind)", "1.#QNAN", "+1.#SNAN", "-1.#IND000", "1.#QNAN0e+000"}) {
         EXPECT_TRUE(parseNumber(word) && std::isnan(*parseNumber(word))) << word;
     }
 }
 
 TEST(TextScanner, WordsThatAreNoNumbers) {
-    for (const char* word : {"", "+", "-", "+-1", "1,5", "0x10", "1 ", "one", "1.#", "--1", "."}) {
+    for (const char* word :
+         {"", "+", "-", "+-1", "1,5", "0x10", "1 ", "one", "1.#", "1.#INFO", "2.#INF", "--1", "."}) {
         EXPECT_FALSE(parseNumber(word)) << word;
     }
     EXPECT_EQ(parseInteger("-12"), -12);
@@ -66,17 +68,26 @@ TEST(TextScanner, WordsAndComments) {
     TextScanner scanner("\t a \v b c # d\n# e\n f ");
     EXPECT_EQ(scanner.nextWord(), ""); // before the first line
     scanner.nextLine();
-    scanner.cutLineAt('#');
+    scanner.cutComment();
     EXPECT_EQ(scanner.nextWord(), "a");
     EXPECT_EQ(scanner.restOfLine(), "b c");
     EXPECT_EQ(scanner.nextWord(), "");
     EXPECT_EQ(scanner.rest(), "# e\n f ");
     scanner.nextLine();
-    scanner.cutLineAt('#');
+    scanner.cutComment();
     EXPECT_EQ(scanner.nextWord(), "");
     scanner.nextLine();
     EXPECT_EQ(scanner.nextWord(), "f");
     EXPECT_EQ(scanner.nextWord(), "");
+}
+
+TEST(TextScanner, CommentsBeginAtAMarkThatIsOfNoNumber) {
+    EXPECT_EQ(beforeComment("v 0 1 2"), "v 0 1 2");
+    EXPECT_EQ(beforeComment("v 0 1 2# two"), "v 0 1 2");
+    EXPECT_EQ(beforeComment("v 0 1 1.#one"), "v 0 1 1.");
+    EXPECT_EQ(beforeComment("v 0 1 1.#INFORMATION"), "v 0 1 1.");
+    EXPECT_EQ(beforeComment("v 0 1 21.#INF"), "v 0 1 21.");
+    EXPECT_EQ(beforeComment("1.#INF\t-1.#IND00 +1.#QNAN# 1.#INF"), "1.#INF\t-1.#IND00 +1.#QNAN");
 }
 
 TEST(TextScanner, QuotesAreShort) {

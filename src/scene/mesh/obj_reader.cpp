@@ -140,7 +140,7 @@ class ObjReader {
     // Reads up to N numbers, of which `least` must be there; `count_` is how many are.
     template <std::size_t N>
     std::array<float, N> readNumbers(std::size_t least) {
-        scanner_.cutLineAt('#');
+        scanner_.cutComment();
         std::array<float, N> numbers{};
         for (count_ = 0; count_ < N; ++count_) {
             const std::string_view word = scanner_.nextWord();
@@ -176,7 +176,7 @@ class ObjReader {
     }
 
     void readFace() {
-        scanner_.cutLineAt('#');
+        scanner_.cutComment();
         for (std::string_view word = scanner_.nextWord(); !word.empty(); word = scanner_.nextWord()) {
             readCorner(word);
         }

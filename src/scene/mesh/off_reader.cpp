@@ -127,7 +127,7 @@ class OffTextReader {
     // The text begins behind the word OFF.
     MeshFile read() {
         scanner_.nextLine();
-        scanner_.cutLineAt('#');
+        scanner_.cutComment();
         checkDimension();
         const Counts counts = readCounts();
         checkCounts(file_, counts, 6, 2, size_); // a digit and a blank for each number
@@ -305,7 +305,7 @@ class OffTextReader {
 
     std::string_view readOverLines() {
         while (scanner_.nextLine()) {
-            scanner_.cutLineAt('#');
+            scanner_.cutComment();
             if (const std::string_view word = scanner_.nextWord(); !word.empty()) {
                 return word;
             }
@@ -465,7 +465,7 @@ MeshFile readOff(InputFile& file, std::string_view bytes) {
     TextScanner scanner(bytes);
     std::string_view keyword;
     while (keyword.empty() && scanner.nextLine()) {
-        scanner.cutLineAt('#');
+        scanner.cutComment();
         keyword = scanner.nextWord();
     }
     const std::string_view word = keyword.substr(0, endOfKeyword(keyword));

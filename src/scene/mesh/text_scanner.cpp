@@ -29,18 +29,45 @@ std::string_view withoutPlus(std::string_view word) {
     return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
-// Older C libraries of Microsoft print "1.#QNAN", "-1.#IND" and "1.#INF".
+// Older C libraries of Microsoft print "1.#QNAN", "-1.#IND" and "1.#INF", and behind it zeros up to the
+// precision and an exponent.
 std::optional<double> parseMicrosoft(std::string_view word) {
+    constexpr std::string_view kBegin = "1.#";
     const bool isNegative = word.starts_with('-');
     word.remove_prefix(isNegative ? 1 : 0);
-    if (word.starts_with("1.#INF")) {
-        return isNegative ? -std::numeric_limits<double>::infinity()
-                          : std::numeric_limits<double>::infinity();
+    if (!word.starts_with(kBegin)) {
+        return std::nullopt;
     }
-    if (word.starts_with("1.#QNAN") || word.starts_with("1.#SNAN") || word.starts_with("1.#IND")) {
-        return std::numeric_limits<double>::quiet_NaN();
+    word.remove_prefix(kBegin.size());
+    for (const std::string_view name : {"INF", "QNAN", "SNAN", "IND"}) {
+        if (word.starts_with(name) &&
+            word.find_first_not_of("0123456789eE+-", name.size()) == std::string_view::npos) {
+            const double number = name == "INF" ? std::numeric_limits<double>::infinity()
+                                                : std::numeric_limits<double>::quiet_NaN();
+            return isNegative ? -number : number;
+        }
     }
     return std::nullopt;
+}
+
+// Whether the '#' at `mark` belongs to a number of parseMicrosoft.
+bool isOfNumber(std::string_view line, std::size_t mark) {
+    constexpr std::string_view kBefore = "1.";
+    if (!line.substr(0, mark).ends_with(kBefore)) {
+        return false;
+    }
+    std::size_t begin = mark - kBefore.size();
+    if (begin > 0 && (line[begin - 1] == '-' || line[begin - 1] == '+')) {
+        --begin;
+    }
+    if (begin > 0 && !isBlank(line[begin - 1])) {
+        return false;
+    }
+    std::size_t end = mark + 1;
+    while (end < line.size() && !isBlank(line[end]) && line[end] != '#') {
+        ++end;
+    }
+    return parseNumber(line.substr(begin, end - begin)).has_value();
 }
 
 } // namespace
@@ -82,6 +109,14 @@ std::optional<std::int64_t> parseInteger(std::string_view word) {
         return std::nullopt;
     }
     return number;
+}
+
+std::string_view beforeComment(std::string_view line) {
+    std::size_t mark = line.find('#');
+    while (mark != std::string_view::npos && isOfNumber(line, mark)) {
+        mark = line.find('#', mark + 1);
+    }
+    return line.substr(0, mark);
 }
 
 std::string inQuotes(std::string_view word) {
@@ -136,6 +171,6 @@ std::string_view TextScanner::restOfLine() {
     return rest;
 }
 
-void TextScanner::cutLineAt(char mark) { line_ = line_.substr(0, line_.find(mark)); }
+void TextScanner::cutComment() { line_ = beforeComment(line_); }
 
 } // namespace metamarch

@@ -14,6 +14,10 @@ namespace metamarch {
 std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
+// Returns what stands before the first '#', which starts a comment. The '#' of "1.#INF" and its like does
+// not.
+std::string_view beforeComment(std::string_view line);
+
 // Returns 'word' for a message, without what is behind its first 40 characters.
 std::string inQuotes(std::string_view word);
 
@@ -32,8 +36,8 @@ class TextScanner {
     // Returns what is left of the line, without blanks around it.
     std::string_view restOfLine();
 
-    // Cuts the line where `mark` stands, for formats in which it starts a comment.
-    void cutLineAt(char mark);
+    // Cuts the line where a comment begins.
+    void cutComment();
 
     std::uint64_t lineNumber() const { return lineNumber_; } // 1 is the first line
 
