@@ -78,10 +78,34 @@ TEST_F(Off, VertexColors) {
     EXPECT_EQ(color("C", "0.5 0 1"), glm::vec4(linear(0.5), 0, 1, 1));
     EXPECT_EQ(color("C", "1 0 0 1"), glm::vec4(1, 0, 0, 1)); // red, not almost black
     EXPECT_EQ(color("C", "255 0 0 1"), glm::vec4(1, 0, 0, 1));
-    EXPECT_EQ(color("", "255 0 0"), glm::vec4(1, 0, 0, 1)); // not announced, as some programs write it
+    EXPECT_EQ(color("C", "1.00001 0.0 0.0 1.00001"), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(color("C", "1.5 0.5 0.0"), glm::vec4(1, linear(0.5), 0, 1));
     EXPECT_FLOAT_EQ(color("C", "255 0 0 51").a, 0.2f);
     EXPECT_EQ(refused("COFF\n4 1 0\n" + verticesWith("1 0") + kFace),
               "OFF vertex 0: a colour has 2 numbers instead of 3 or 4");
+}
+
+// Some programs write colours without a C in the first line, others normals without an N.
+TEST_F(Off, NumbersThatAreNotAnnounced) {
+    const auto square = [](const std::string& first, const std::string& others) {
+        return "OFF\n4 1 0\n-1 -1 0 " + first + "\n1 -1 0 " + others + "\n1 1 0 " + others + "\n-1 1 0 " +
+               others + '\n' + kFace;
+    };
+    EXPECT_EQ(expectSquare(square("255 0 0", "0 0 7")).colors.at(0), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(expectSquare(square("255 0 0 255", "0 0 7 255")).colors.at(0), glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(expectSquare(square("1.0 0.5 0", "0 0 0")).colors.at(0), glm::vec4(1, linear(0.5), 0, 1));
+    const std::vector<std::string> warning = {
+        "OFF: 4 vertices have more numbers than the first line says; these are not read"};
+    for (const char* others : {"0 0 -1", "0.6 -0.8 0", "300 0 0", "7.5 0 0", "nan 0 0"}) {
+        const Scene scene = expectSquare(square("0 0 1", others), warning);
+        EXPECT_TRUE(scene.colors.empty()) << others;
+        EXPECT_TRUE(scene.normals.empty() || scene.normals[0] == glm::vec3(0.0f)) << others;
+    }
+    // Numbers that are dropped do not say what the colours of faces mean.
+    const Scene scene =
+        load("a.off", "OFF\n3 1 0\n0 0 0 -0.5 0 0\n1 0 0 0.5 0 0\n0 1 0 0.5 0 0\n3 0 1 2 2 0 0\n",
+             {"OFF: 3 vertices have more numbers than the first line says; these are not read"});
+    EXPECT_EQ(colorOfCorner(scene, 0), glm::vec4(linear(2 / 255.0), 0, 0, 1));
 }
 
 TEST_F(Off, FaceColors) {
@@ -143,6 +167,8 @@ TEST_F(Off, Broken) {
     EXPECT_EQ(refused("OFF\n4 1 0\n-1 -1 0\n1 one 0\n1 1 0\n-1 1 0\n" + kFace),
               "OFF vertex 1: 'one' is not a number");
     EXPECT_EQ(refused("OFF\n5 1 0\n" + kVertices + "nan 0 0\n3 0 1 4\n"),
+              "mesh 0: position of vertex 4 is not finite");
+    EXPECT_EQ(refused("OFF\n5 1 0\n" + kVertices + "0 1 1.#QNAN\n3 0 1 4\n"),
               "mesh 0: position of vertex 4 is not finite");
     expectSquare("OFF\n5 1 0\n" + kVertices + "nan 0 0\n" + kFace,
                  {"mesh 0: 1 positions of vertices that no triangle uses are not finite; zero is used"});

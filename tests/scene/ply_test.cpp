@@ -286,6 +286,8 @@ TEST_F(Ply, ColorsOfEveryType) {
     };
     expectNear(firstColor("float", "0.5 1 0"), half);
     expectNear(firstColor("double", "0.5 1 0"), half);
+    expectNear(firstColor("float", "0.5 1.0000001 0"), half); // a little above 1 is 1
+    expectNear(firstColor("double", "0.5 1.5 0"), half);
     expectNear(firstColor("float", "127.5 255 0"), half); // some programs write fractions like this
     expectNear(firstColor("ushort", "32767.5 65535 0"), half);
     expectNear(firstColor("int", "127.5 255 0"), half);
@@ -304,6 +306,7 @@ TEST_F(Ply, AlphaBlends) {
     const Scene clear = load4("51");
     EXPECT_FLOAT_EQ(clear.colors.at(0).a, 0.2f);
     EXPECT_EQ(clear.materials.at(0).alphaMode, AlphaMode::blend);
+    EXPECT_EQ(load4("1.00001").colors.at(0).a, 1.0f); // rounded up
     EXPECT_EQ(load4("255").materials.at(0).alphaMode, AlphaMode::opaque);
     EXPECT_EQ(load4("0").materials.at(0).alphaMode, AlphaMode::opaque); // nothing would be seen
 }

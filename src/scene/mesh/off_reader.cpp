@@ -134,7 +134,7 @@ class OffTextReader {
         for (index_ = 0; index_ < counts.vertices; ++index_) {
             readVertex();
         }
-        checkVertexColors(counts.vertices);
+        finishVertexColors(counts.vertices);
         element_ = "face";
         for (index_ = 0; index_ < counts.faces; ++index_) {
             readFace(counts.vertices);
@@ -192,8 +192,7 @@ class OffTextReader {
         mesh_.addVertex(position, normal, texCoord);
     }
 
-    // A colour has three or four numbers, and some programs write colours without saying so in the first
-    // line.
+    // A colour has three or four numbers. Some programs write colours without saying so in the first line.
     void readRestOfVertex(float* texCoord) {
         collectWords();
         std::span<const std::string_view> words = words_;
@@ -207,6 +206,11 @@ class OffTextReader {
         }
         if (words.size() == 3 || words.size() == 4) {
             addColor(mesh_.vertexColors, words);
+            for (const std::string_view word : words) {
+                const float number = numberOf(word);
+                areFractionsOfOne_ = areFractionsOfOne_ && number >= 0.0f && number <= kLargestFraction;
+                areBytes_ = areBytes_ && number >= 0.0f && number <= 255.0f && number == std::floor(number);
+            }
         } else if (form_.hasColor) {
             refuse("a colour has " + std::to_string(words.size()) + " numbers instead of 3 or 4");
         } else if (!words.empty()) {
@@ -249,7 +253,13 @@ class OffTextReader {
         to.add(color, words.size() == 4 ? std::optional(numberOf(words[3])) : std::nullopt);
     }
 
-    void checkVertexColors(std::uint64_t vertices) {
+    void finishVertexColors(std::uint64_t vertices) {
+        // Normals without an N are no colours.
+        if (!isFreeForm_ && !form_.hasColor && !areFractionsOfOne_ && !areBytes_) {
+            longLines_ += mesh_.vertexColors.size();
+            mesh_.vertexColors = FileColors();
+            areFractions_ = false;
+        }
         if (!mesh_.vertexColors.empty() && mesh_.vertexColors.size() != vertices) {
             file_.warn("OFF: only " + std::to_string(mesh_.vertexColors.size()) + " of " +
                        std::to_string(vertices) + " vertices have colours; these are not used");
@@ -355,6 +365,9 @@ class OffTextReader {
     std::string_view pending_;            // the first word of the element, which beginElement has read
     std::vector<std::string_view> words_; // what is left of a line
     bool areFractions_ = false;
+    // What all numbers behind those that the first line announces can be.
+    bool areFractionsOfOne_ = true;
+    bool areBytes_ = true;
     std::uint64_t longLines_ = 0;
 };
 

@@ -24,7 +24,7 @@ std::array<float, 256> linearBytes() {
 
 // Returns the number that means 1. Some programs write fractions up to 255.
 float fullColor(bool areFractions, float largest) {
-    if (areFractions && largest <= 1.0f) {
+    if (areFractions && largest <= kLargestFraction) {
         return 1.0f;
     }
     return areFractions || largest <= 255.0f ? 255.0f : 65535.0f;
@@ -45,16 +45,17 @@ std::vector<glm::vec4> FileColors::decoded() {
     static const std::array<float, 256> kLinearBytes = linearBytes();
     const float full = fullColor(areFractions_, largest_);
     // No program writes an alpha of 1 / 255 everywhere, but some write fractions behind whole numbers.
-    const float fullAlpha = largestAlpha_ <= 1.0f ? 1.0f : std::max(full, 255.0f);
+    const float fullAlpha = largestAlpha_ <= kLargestFraction ? 1.0f : std::max(full, 255.0f);
     for (glm::vec4& color : colors_) {
         for (int channel = 0; channel < 3; ++channel) {
             float& value = color[channel];
+            value = full == 1.0f ? std::min(value, 1.0f) : value; // keeps a NaN
             const bool isByte =
                 full == 255.0f && value >= 0.0f && value <= 255.0f && value == std::floor(value);
             value = isByte ? kLinearBytes[static_cast<std::size_t>(value)]
                            : linear(static_cast<double>(value) / static_cast<double>(full));
         }
-        color.a = color.a < 0.0f ? 1.0f : color.a / fullAlpha;
+        color.a = color.a < 0.0f ? 1.0f : std::min(color.a / fullAlpha, 1.0f);
     }
     return std::move(colors_);
 }

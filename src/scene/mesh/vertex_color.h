@@ -12,10 +12,13 @@
 
 namespace metamarch {
 
+// Fractions whose largest is not above this are fractions of 1: filters and rounding go a little above 1.
+inline constexpr float kLargestFraction = 2.0f;
+
 // The colours of a file's vertices or faces. How large a number means 1 is known only when all are there.
 class FileColors {
   public:
-    // Whether the file writes the numbers as fractions: then 1 means 1, unless a number is larger.
+    // Whether the file writes the numbers as fractions: then 1 means 1, unless one is above kLargestFraction.
     void setFractions(bool areFractions) { areFractions_ = areFractions; }
 
     void add(const glm::vec3& color, std::optional<float> alpha);
