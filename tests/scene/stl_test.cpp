@@ -75,6 +75,29 @@ TEST_F(Stl, TextInEveryForm) {
     expectSquare(replaced(replaced(kText, "\n", " "), "solid plate", "solid plate\n"));
 }
 
+TEST_F(Stl, WhatFollowsTheLastSolid) {
+    const auto warning = [](std::size_t bytes) {
+        return std::vector<std::string>{"STL: " + std::to_string(bytes) +
+                                        " bytes after the last 'endsolid' are not read"};
+    };
+    expectSquare(kText + " \n\t\r\n");
+    expectSquare(kText + "\x1a", warning(1)); // the end of a file of CP/M
+    expectSquare(kText + "\n" + std::string(92, '\0'), warning(92));
+    expectSquare(kText + "made by hand\nsolid ", warning(19));
+}
+
+TEST_F(Stl, TextThatIsNotByTheDefinition) {
+    expectSquare(replaced(kText, "endsolid plate", "end solid plate"));
+    const std::string colored = replaced(kText, "solid plate\nfacet", "solid plate\ncolor 0.5 0 1\nfacet");
+    expectSquare(colored, {"STL: 'color', which text does not have by the definition, is skipped 1 times"});
+    expectSquare(replaced(colored, "outer loop", "color 1 0 0\nouter loop"),
+                 {"STL: 'color', which text does not have by the definition, is skipped 3 times"});
+    EXPECT_EQ(refused(replaced(kText, "endsolid", "end")),
+              "STL line 16, facet 2: 'end' is neither 'facet' nor 'endsolid'");
+    EXPECT_EQ(refused(replaced(kText, "solid plate\nfacet", "solid plate\ncolor red\nfacet")),
+              "STL line 2, facet 0: 'red' is not a number");
+}
+
 TEST_F(Stl, SolidsAreMeshes) {
     const Scene scene = load("a.stl", kText + replaced(kText, "plate", "second plate"));
     ASSERT_EQ(scene.meshes.size(), 2u);

@@ -31,29 +31,50 @@ std::string lowerCase(std::string_view word) {
 // The normals of facets are not read: they are those of the triangles.
 class StlTextReader {
   public:
-    StlTextReader(const InputFile& file, std::string_view text) : file_(file), scanner_(text) {}
+    StlTextReader(InputFile& file, std::string_view text) : file_(file), text_(text), scanner_(text) {}
 
     PolygonMesh read() {
-        while (const std::optional<std::string> keyword = nextKeyword()) {
-            if (*keyword == "solid") {
-                mesh_.partNames.emplace_back(scanner_.restOfLine());
-                inSolid_ = true;
-            } else if (*keyword == "endsolid") {
-                scanner_.restOfLine(); // the name, if any
-                inSolid_ = false;
-            } else if (*keyword == "facet") {
-                readFacet();
-            } else {
-                refuse(inQuotes(*keyword) + " is neither 'facet' nor 'endsolid'");
+        for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
+            if (lowerCase(word) != "solid") {
+                const std::size_t begin = static_cast<std::size_t>(word.data() - text_.data());
+                file_.warn("STL: " + std::to_string(text_.size() - begin) +
+                           " bytes after the last 'endsolid' are not read");
+                break;
             }
+            mesh_.partNames.emplace_back(scanner_.restOfLine());
+            readSolid();
         }
-        if (inSolid_) {
-            file_.refuse("STL text is cut off: there is no endsolid");
+        if (colors_ > 0) {
+            file_.warn("STL: 'color', which text does not have by the definition, is skipped " +
+                       std::to_string(colors_) + " times");
         }
         return std::move(mesh_);
     }
 
   private:
+    void readSolid() {
+        while (const std::optional<std::string> keyword = nextKeyword()) {
+            if (*keyword == "facet") {
+                readFacet();
+            } else if (*keyword == "endsolid" || (*keyword == "end" && nextKeyword() == "solid")) {
+                scanner_.restOfLine(); // the name, if any
+                return;
+            } else if (*keyword == "color") {
+                skipColor();
+            } else {
+                refuse(inQuotes(*keyword) + " is neither 'facet' nor 'endsolid'");
+            }
+        }
+        file_.refuse("STL text is cut off: there is no endsolid");
+    }
+
+    void skipColor() {
+        for (int channel = 0; channel < 3; ++channel) {
+            readNumber();
+        }
+        ++colors_;
+    }
+
     void readFacet() {
         ++facet_;
         std::size_t corners = 0;
@@ -76,6 +97,8 @@ class StlTextReader {
                 mesh_.facePart.push_back(
                     static_cast<std::uint32_t>(std::max<std::size_t>(mesh_.partNames.size(), 1) - 1));
                 return;
+            } else if (*keyword == "color") {
+                skipColor();
             } else if (*keyword != "outer" && *keyword != "loop" && *keyword != "endloop") {
                 refuse(inQuotes(*keyword) + " is neither 'vertex' nor 'endfacet'");
             }
@@ -114,10 +137,11 @@ class StlTextReader {
                      std::to_string(facet_) + ": " + what);
     }
 
-    const InputFile& file_;
+    InputFile& file_;
+    std::string_view text_;
     TextScanner scanner_;
     PolygonMesh mesh_;
-    bool inSolid_ = false;
+    std::uint64_t colors_ = 0;
     std::uint64_t facet_ = 0; // the first is 1
 };
 
