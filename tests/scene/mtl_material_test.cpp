@@ -176,9 +176,20 @@ TEST_F(MtlMaterial, ColorsOfOneNumberAreGrey) {
     const Scene scene = load("Kd spectral steel.rfl 0.5\nKs xyz 0.5 0.5 0.5\nPm high\nKe nan 0 0\n");
     EXPECT_EQ(scene.materials[0].baseColorFactor, glm::vec4(0.6f, 0.6f, 0.6f, 1));
     EXPECT_EQ(scene.materials[0].emissiveFactor, glm::vec3(0));
+    EXPECT_EQ(material("Kd 0.5# grey\n").baseColorFactor, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+    const Scene words = load("Kd 0.5 abc\nKe 0.5 0.5 nan\n");
+    EXPECT_EQ(words.materials[0].baseColorFactor, glm::vec4(0.6f, 0.6f, 0.6f, 1));
+    EXPECT_TRUE(words.warnings.at(0).ends_with("'a.mtl': Kd, Ke have no number there and are skipped"));
     ASSERT_EQ(scene.warnings.size(), 2u);
     EXPECT_TRUE(scene.warnings[0].ends_with("'a.mtl': Kd spectral, Ks xyz are not rendered"));
     EXPECT_TRUE(scene.warnings[1].ends_with("'a.mtl': Pm, Ke have no number there and are skipped"));
+}
+
+TEST_F(MtlMaterial, BackslashesJoinLines) {
+    writePng("a.png", 1, 3, {10, 20, 30});
+    EXPECT_EQ(material("Kd 1 \\\n 0 0\n").baseColorFactor, glm::vec4(1, 0, 0, 1));
+    EXPECT_NE(material("map_Kd \\\r\n a.png\n").baseColorTexture.texture, kNoTexture);
+    EXPECT_EQ(material("Kd 1 0 0 # C:\\\nd 0.5\n").baseColorFactor, glm::vec4(1, 0, 0, 0.5f));
 }
 
 TEST_F(MtlMaterial, MapsWithoutNumbersHaveFactorOne) {

@@ -74,6 +74,8 @@ TEST_F(Obj, LinesAndBlanks) {
     EXPECT_EQ(area("v -1 -1 \\\n0\nv 1 -1 \\\r\n0\nv 1 \\  \n1 \\\n 0\nv -1 1 0\nf 1 2 \\\n3 4\n"), 4.0);
     // No comment goes on, and lines keep their numbers.
     EXPECT_EQ(area("# saved in C:\\models\\\n" + kSquare), 4.0);
+    EXPECT_EQ(area(kVertices + "f 1 2 3 # made in C:\\models\\\nf 1 3 4\n"), 4.0);
+    EXPECT_EQ(area("v -1 -1 0 # C:\\\n" + kSquare.substr(10)), 4.0);
     EXPECT_EQ(refusal(kVertices + "f 1 2 \\\n 3 4\nf 1 2 9\n"),
               "line 7: vertex index 9 is out of range, there are 4");
 }
@@ -90,11 +92,25 @@ TEST_F(Obj, Indices) {
               "line 5: vertex index 4294967297 is out of range, there are 4");
     EXPECT_EQ(refusal(kVertices + "vt 0 0\nf 1/1 2/1 3/2\n"),
               "line 6: texture coordinate index 2 is out of range, there are 1");
-    EXPECT_EQ(refusal(kVertices + "vn 0 0 1\nf 1//1 2//1 3//0\n"),
-              "line 6: normal index 0: indices count from 1");
     EXPECT_EQ(refusal(kVertices + "f 1 2 3.5\n"), "line 5: '3.5' is not an index");
     EXPECT_EQ(refusal(kVertices + "f 1/1/1/1 2 3\n"), "line 5: '1/1/1/1' is not a corner of a face");
     EXPECT_EQ(refusal(kVertices + "f /1 2 3\n"), "line 5: '/1' is not a corner of a face");
+}
+
+TEST_F(Obj, TheIndexZeroIsNone) {
+    const Scene scene =
+        load(kVertices + "vt 0.25 0.75\nvn 0 0 2\nf 1/0/0 2/0/0 3/0/0\nf 1/1/1 3/1/1 4/1/1\n",
+             {"3 corners of faces have the texture coordinate index 0, which is taken for none: indices "
+              "count from 1",
+              "3 corners of faces have the normal index 0, which is taken for none: indices count from 1"});
+    ASSERT_EQ(scene.triangles.size(), 2u);
+    EXPECT_EQ(scene.normals[scene.triangles[0].x], glm::vec3(0.0f));
+    EXPECT_EQ(scene.normals[scene.triangles[1].x], glm::vec3(0, 0, 1));
+    EXPECT_EQ(scene.texCoords[scene.triangles[1].x], glm::vec2(0.25f, 0.25f));
+    EXPECT_EQ(areaOf(load(kVertices + "vt 0 0\nf 1/0 2/0 3/0 4/0\n",
+                          {"4 corners of faces have the texture coordinate index 0, which is taken for none: "
+                           "indices count from 1"})),
+              4.0);
 }
 
 TEST_F(Obj, IndicesOfWhatIsNotThereAreIgnored) {

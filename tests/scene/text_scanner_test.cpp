@@ -90,6 +90,17 @@ TEST(TextScanner, CommentsBeginAtAMarkThatIsOfNoNumber) {
     EXPECT_EQ(beforeComment("1.#INF\t-1.#IND00 +1.#QNAN# 1.#INF"), "1.#INF\t-1.#IND00 +1.#QNAN");
 }
 
+TEST(TextScanner, BackslashesJoinLines) {
+    std::string copy;
+    EXPECT_EQ(withJoinedLines("a\nb", copy), "a\nb");
+    EXPECT_EQ(withJoinedLines("a \\\n b\nc", copy), "a   b\n\nc");
+    EXPECT_EQ(withJoinedLines("a\\ \t\r\nb\\\rc\r\nd", copy), "a b c\n\n\r\nd");
+    EXPECT_EQ(withJoinedLines("a\\b\nc", copy), "a\\b\nc");
+    EXPECT_EQ(withJoinedLines("a # b\\\nc", copy), "a # b\\\nc");
+    EXPECT_EQ(withJoinedLines("1.#INF\\\n2", copy), "1.#INF 2\n");
+    EXPECT_EQ(withJoinedLines("a\\", copy), "a\\"); // there is no next line
+}
+
 TEST(TextScanner, QuotesAreShort) {
     EXPECT_EQ(inQuotes("word"), "'word'");
     EXPECT_EQ(inQuotes(std::string(1000, 'a')), "'" + std::string(40, 'a') + "...'");

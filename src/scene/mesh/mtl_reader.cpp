@@ -120,7 +120,7 @@ class LibraryReader {
   public:
     LibraryReader(InputFile& file, const std::string& name, std::string_view text)
         : file_(file), name_(name), folder_(std::filesystem::path(name).parent_path().generic_string()),
-          scanner_(text) {}
+          scanner_(withJoinedLines(text, joined_)) {}
 
     // Calls material(name) for each newmtl; it returns the material that the lines after it describe, or null
     // to skip these.
@@ -151,19 +151,19 @@ class LibraryReader {
     void readLine(MtlMaterial& material, std::string_view keyword, std::string_view rest) {
         const std::string word = lowerCase(keyword);
         if (const auto* color = find(kColors, word)) {
-            readColor(keyword, rest, material.*color->member);
+            readColor(keyword, beforeComment(rest), material.*color->member);
         } else if (const auto* number = find(kNumbers, word)) {
-            readNumber(keyword, rest, material.*number->member);
+            readNumber(keyword, beforeComment(rest), material.*number->member);
         } else if (word == "d") {
-            readOpacity(keyword, rest, material);
+            readOpacity(keyword, beforeComment(rest), material);
         } else if (word == "illum") {
             std::optional<float> model;
-            readNumber(keyword, rest, model);
+            readNumber(keyword, beforeComment(rest), model);
             material.illumination = static_cast<int>(std::clamp(model.value_or(0.0f), 0.0f, 10.0f));
         } else if (const auto* map = find(kMaps, word)) {
             readMap(keyword, rest, material.*map->member);
         } else if (std::ranges::find(kNotRendered, word) != kNotRendered.end()) {
-            readNotRendered(keyword, rest);
+            readNotRendered(keyword, beforeComment(rest));
         } else if (std::ranges::find(kIgnored, word) == kIgnored.end()) {
             unknown_.add(keyword);
         }
@@ -184,14 +184,16 @@ class LibraryReader {
             notRendered_.add(std::string(keyword) + ' ' + std::string(first));
             return;
         }
+        const std::string_view second = takeWord(rest);
+        const std::string_view third = takeWord(rest);
         const std::optional<float> r = finiteNumber(first);
-        if (!r) {
+        const std::optional<float> g = second.empty() ? r : finiteNumber(second);
+        const std::optional<float> b = third.empty() ? g : finiteNumber(third);
+        if (!r || !g || !b) {
             noNumber_.add(keyword);
             return;
         }
-        const std::optional<float> g = finiteNumber(takeWord(rest));
-        const std::optional<float> b = finiteNumber(takeWord(rest));
-        color = glm::vec3(*r, g.value_or(*r), b.value_or(g.value_or(*r)));
+        color = glm::vec3(*r, *g, *b);
     }
 
     // A halo is less opaque where the surface faces the viewer.
@@ -313,6 +315,7 @@ class LibraryReader {
     InputFile& file_;
     const std::string& name_;
     std::string folder_; // of the library, relative to the OBJ's
+    std::string joined_;
     TextScanner scanner_;
     bool isByMeshLab_ = false;
     NameList unknown_;

@@ -14,58 +14,6 @@
 namespace metamarch {
 namespace {
 
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t'; }
-constexpr bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
-
-// The part of a text that a backslash, which may have blanks behind it, joins with the next line.
-struct Joint {
-    std::size_t begin;
-    std::size_t end; // behind the line's end
-};
-
-std::optional<Joint> jointAt(std::string_view text, std::size_t backslash) {
-    std::size_t end = backslash + 1;
-    while (end < text.size() && isBlank(text[end])) {
-        ++end;
-    }
-    if (end == text.size() || !isLineEnd(text[end])) {
-        return std::nullopt;
-    }
-    end += text.substr(end).starts_with("\r\n") ? 2 : 1;
-    return Joint{backslash, end};
-}
-
-// Replaces the line ends behind backslashes by a blank, except in comments, and puts as many empty lines
-// behind the joined line, so that lines keep their numbers.
-std::string withJoinedLines(std::string_view text) {
-    std::string joined;
-    std::size_t missing = 0; // line ends that the current line has lost
-    std::size_t done = 0;
-    bool isComment = false;
-    bool isAtStart = true; // of a line, or behind blanks there
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\\' && !isComment) {
-            if (const std::optional<Joint> joint = jointAt(text, i)) {
-                joined.append(text.substr(done, i - done)) += ' ';
-                done = joint->end;
-                i = done - 1;
-                ++missing;
-            }
-        } else if (isLineEnd(text[i])) {
-            joined.append(text.substr(done, i - done)).append(missing, '\n');
-            missing = 0;
-            done = i;
-            isComment = false;
-            isAtStart = true;
-        } else if (!isBlank(text[i])) {
-            isComment = isComment || (isAtStart && text[i] == '#');
-            isAtStart = false;
-        }
-    }
-    joined.append(text.substr(done));
-    return joined;
-}
-
 // What the corners of faces refer to.
 enum Kind : std::size_t { kPosition, kTexCoord, kNormal };
 constexpr std::array<const char*, 3> kKindNames = {"vertex", "texture coordinate", "normal"};
@@ -215,6 +163,10 @@ class ObjReader {
         if (!number) {
             refuse(inQuotes(word) + " is not an index");
         }
+        if (*number == 0 && kind != kPosition) { // some programs write it for a corner that has none
+            ++zeros_[kind];
+            return kNoIndex;
+        }
         const auto size = static_cast<std::int64_t>(count);
         const std::int64_t index = *number < 0 ? size + *number : *number - 1;
         const bool isHopeless = index < 0 || index >= kNoIndex;
@@ -238,6 +190,10 @@ class ObjReader {
     void finishAttribute(Kind kind, std::vector<T>& values, std::vector<std::uint32_t>& corners) {
         if (isUsed_[kind] && !values.empty()) {
             checkIndices(kind, values.size());
+            if (zeros_[kind] > 0) {
+                file_.warn(std::to_string(zeros_[kind]) + " corners of faces have the " + kKindNames[kind] +
+                           " index 0, which is taken for none: indices count from 1");
+            }
             return;
         }
         if (isUsed_[kind]) {
@@ -422,6 +378,7 @@ class ObjReader {
     FileColors colors_;
     std::array<std::optional<Worst>, 3> worst_;
     std::array<bool, 3> isUsed_{};
+    std::array<std::uint64_t, 3> zeros_{}; // indices that are 0
 
     std::uint32_t part_ = 0;
     std::unordered_map<std::string, std::uint32_t> partIndices_;
@@ -441,11 +398,8 @@ class ObjReader {
 } // namespace
 
 MeshFile readObj(InputFile& file, std::string_view bytes) {
-    if (bytes.find('\\') == std::string_view::npos) {
-        return ObjReader(file, bytes).read();
-    }
-    const std::string joined = withJoinedLines(bytes);
-    return ObjReader(file, joined).read();
+    std::string joined;
+    return ObjReader(file, withJoinedLines(bytes, joined)).read();
 }
 
 } // namespace metamarch

@@ -64,7 +64,7 @@ bool isOfNumber(std::string_view line, std::size_t mark) {
         return false;
     }
     std::size_t end = mark + 1;
-    while (end < line.size() && !isBlank(line[end]) && line[end] != '#') {
+    while (end < line.size() && !isBlank(line[end]) && line[end] != '#' && line[end] != '\\') {
         ++end;
     }
     return parseNumber(line.substr(begin, end - begin)).has_value();
@@ -117,6 +117,31 @@ std::string_view beforeComment(std::string_view line) {
         mark = line.find('#', mark + 1);
     }
     return line.substr(0, mark);
+}
+
+std::string_view withJoinedLines(std::string_view text, std::string& copy) {
+    if (text.find('\\') == std::string_view::npos) {
+        return text;
+    }
+    copy.clear();
+    copy.reserve(text.size());
+    std::size_t missing = 0; // line ends that the current line has lost
+    while (!text.empty()) {
+        const std::size_t size = std::min(text.find_first_of("\r\n"), text.size());
+        const std::string_view line = text.substr(0, size);
+        const std::string_view after = text.substr(size);
+        const std::string_view end = after.substr(0, after.starts_with("\r\n") ? 2 : 1);
+        const std::string_view content = trimmed(line);
+        if (content.ends_with('\\') && !end.empty() && beforeComment(line).size() == line.size()) {
+            copy.append(content.substr(0, content.size() - 1)) += ' ';
+            ++missing;
+        } else {
+            copy.append(line).append(missing, '\n').append(end);
+            missing = 0;
+        }
+        text = after.substr(end.size());
+    }
+    return copy;
 }
 
 std::string inQuotes(std::string_view word) {

@@ -18,6 +18,11 @@ std::optional<std::int64_t> parseInteger(std::string_view word);
 // not.
 std::string_view beforeComment(std::string_view line);
 
+// Returns `text`, in which a backslash at the end of a line, or with blanks behind it there, joins the next
+// line; nothing is joined in comments. Lines keep their numbers: as many empty ones follow a joined line.
+// `copy` holds the text if lines had to be joined.
+std::string_view withJoinedLines(std::string_view text, std::string& copy);
+
 // Returns 'word' for a message, without what is behind its first 40 characters.
 std::string inQuotes(std::string_view word);
 
