@@ -275,13 +275,30 @@ TEST(GltfMeshopt, ChannelsOfVersion1) {
     // Words: from 0x00ff by +1 and by -257, which is coded as 513; from 0xffff by +1 and by 0.
     EXPECT_EQ(decode({2, 1, 0, 2, 2, 0, 0, 0}, {0xff, 0x00, 0xff, 0xff}, 1),
               Stream({0x00, 0x01, 0x00, 0x00, 0xff, 0xff, 0x00, 0x00}));
-    // Exclusive or with 0x00000001 and 0x80000000, turned left by 9.
+    // Exclusive or with 0x00000001 and 0x80000000, turned right by 9. meshoptimizer 1.3.0 decodes the same
+    // bytes.
     EXPECT_EQ(decode({1, 0, 0, 0, 0, 0, 0, 0x80}, {1, 2, 3, 4}, 0x92),
-              Stream({1, 2 ^ 2, 3, 4, 1, 0 ^ 1, 3, 4}));
+              Stream({1, 2, 3 ^ 0x80, 4, 1, 2, 131 ^ 0x40, 4}));
     EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2}, {10, 20, 255, 0}, 3));
     EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2}, {10, 20, 255, 0}, 0x11));
     // One byte is left over.
     EXPECT_FALSE(decode({2, 1, 0, 0, 4, 4, 1, 2, 9}, {10, 20, 255, 0}, 0));
+}
+
+// The encoder of meshoptimizer 1.3.0 has written this stream at level 3, in mode 0x12.
+TEST(GltfMeshopt, FloatsOfVersion1) {
+    const std::vector<unsigned char> stream = {161, 105, 1,   4,   16,  65,  4,   2,   0,   1,  1,   55,  92,
+                                               247, 92,  255, 254, 255, 255, 255, 254, 255, 15, 0,   255, 255,
+                                               1,   254, 0,   0,   0,   0,   0,   0,   0,   0,  0,   0,   0,
+                                               0,   0,   0,   0,   0,   0,   0,   0,   0,   0,  128, 191, 18};
+    const std::vector<float> expected = {-1, -2, 4,     1,  0.5f, -1, -2, -2, 1,  2,
+                                         4,  -1, -0.5f, -1, 2,    2,  1,  -2, -4, -1};
+    const auto decoded = decodeMeshoptAttributes(stream, expected.size(), sizeof(float));
+    ASSERT_TRUE(decoded);
+    std::vector<float> floats(expected.size());
+    ASSERT_EQ(decoded->size(), floats.size() * sizeof(float));
+    std::memcpy(floats.data(), decoded->data(), decoded->size());
+    EXPECT_EQ(floats, expected);
 }
 
 // Several blocks, groups of every bit length, and elements that end inside a group.

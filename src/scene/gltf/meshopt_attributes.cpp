@@ -137,7 +137,7 @@ class AttributeDecoder {
         if ((mode & 15u) == kXorDeltas) {
             const std::uint32_t coded = std::uint32_t{delta[0]} | std::uint32_t{delta[1]} << 8 |
                                         std::uint32_t{delta[2]} << 16 | std::uint32_t{delta[3]} << 24;
-            const std::uint32_t change = std::rotl(coded, static_cast<int>(mode >> 4));
+            const std::uint32_t change = std::rotr(coded, static_cast<int>(mode >> 4));
             for (unsigned k = 0; k < 4; ++k) {
                 bytes[k] = static_cast<unsigned char>(bytes[k] ^ (change >> (8 * k) & 255u));
             }
@@ -161,7 +161,7 @@ class AttributeDecoder {
     std::uint64_t stride_;
     bool isVersion1_ = false;
     std::vector<unsigned char> last_;  // the element before the next
-    std::vector<unsigned char> modes_; // by channel of 4 bytes; the high bits rotate
+    std::vector<unsigned char> modes_; // by channel of 4 bytes; the high four bits are a rotation
 };
 
 // T is the component, S the same with a sign.
