@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/command_line.h"
 
-#include "metamarch/cli/foreign_words.h"
 #include "metamarch/cli/nearest_word.h"
+#include "metamarch/cli/other_program_options.h"
 #include "metamarch/file/standard_stream.h"
 #include "metamarch/vulkan/refusal.h"
 

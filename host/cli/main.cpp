@@ -50,7 +50,7 @@ int run(const int argc, char** const argv) {
 
 int main(int argc, char** argv) {
     using namespace metamarch;
-    cli::settleProcess();
+    cli::initProcess();
     try {
         return cli::run(argc, argv);
     } catch (...) {

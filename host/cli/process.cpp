@@ -56,7 +56,7 @@ void handle(const int signal) {
 
 } // namespace
 
-void settleProcess() {
+void initProcess() {
     openStandardStreams();
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

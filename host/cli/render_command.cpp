@@ -191,9 +191,10 @@ void runRender(const RenderOptions& options, const SettingList& given) {
         writeStats(report, prepared, onDevice, options.statsPath);
     }
     if (!options.quiet && !printsResults(options)) {
-        printRemark(fmt::format("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n",
-                                options.outputPath, size.x, size.y, scene->triangles.size(), result.traversal,
-                                result.device, result.driver, result.seconds.render, summaryOf(result)));
+        printSummary(fmt::format("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n",
+                                 options.outputPath, size.x, size.y, scene->triangles.size(),
+                                 result.traversal, result.device, result.driver, result.seconds.render,
+                                 summaryOf(result)));
     }
 }
 

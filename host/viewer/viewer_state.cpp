@@ -16,7 +16,7 @@ void declareControls(SettingList& controls, SettingList& lightControls, Settings
 
 void ViewerState::say(const std::string& line) {
     constexpr std::size_t kMostMessages = 8;
-    printRemark(fmt::format("{}\n", line));
+    printSummary(fmt::format("{}\n", line));
     messages.push_back(line);
     if (messages.size() > kMostMessages) {
         messages.pop_front();

@@ -21,18 +21,16 @@ std::filesystem::path folderOf(const std::filesystem::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// Mode and owner of the file at `path` for the one that replaces it. The owner is kept as far as that is
-// permitted.
-void handDown(const std::filesystem::path& path, const int descriptor) {
+// Gives the new file the mode and owner of the file at `path`. Only root may change the owner. Where both
+// cannot be changed, the group alone is tried; where that fails too, the file stays with this user.
+void copyModeAndOwner(const std::filesystem::path& path, const int descriptor) {
     struct stat former {};
     if (stat(path.c_str(), &former) != 0) {
         return;
     }
     constexpr uid_t kSameUser = static_cast<uid_t>(-1);
-    if (fchown(descriptor, former.st_uid, former.st_gid) != 0 &&
-        fchown(descriptor, kSameUser, former.st_gid) != 0) {
-        // Then it is a file of this user.
-    }
+    [[maybe_unused]] const bool isGroupSet = fchown(descriptor, former.st_uid, former.st_gid) == 0 ||
+                                             fchown(descriptor, kSameUser, former.st_gid) == 0;
     fchmod(descriptor, former.st_mode & 0777);
 }
 
@@ -124,7 +122,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : target_(path) {
         }
         collectInMemory();
     } else if (target_.kind == Kind::file) {
-        handDown(target_.path, descriptor_);
+        copyModeAndOwner(target_.path, descriptor_);
     }
 }
 

@@ -13,10 +13,10 @@ namespace metamarch {
 
 // A file that appears under its name only when it is complete. It is written to a temporary file in the same
 // folder, which commit() renames. Without a commit the temporary file is removed and an existing file stays
-// as it is. A file that is replaced hands down its mode and, where that is permitted, its owner.
+// as it is. A new file takes the mode of the file that it replaces and, where that is permitted, its owner.
 //
-// What cannot be renamed over is written at commit(), once everything is there: devices, pipes, the standard
-// streams (see OutputTarget), a file in a folder that takes no new files, and a file that is a mount point.
+// A rename cannot replace every target: not a device, a pipe, a standard stream (see OutputTarget), a file in
+// a folder that takes no new files, or a mount point. commit() then copies the complete bytes to the target.
 //
 // To check that a path is writable, construct an OutputFile and destroy it. The constructor and commit()
 // throw Error(outputNotWritable).
@@ -40,8 +40,8 @@ class OutputFile {
     void replace();
 
     OutputTarget target_;
-    TemporaryFile temporary_; // empty: what is written waits in memory
-    int descriptor_ = -1;     // of what is written, until the commit
+    TemporaryFile temporary_; // empty: the bytes wait in memory
+    int descriptor_ = -1;     // holds the bytes until the commit
     int firstErrno_ = 0;
 };
 

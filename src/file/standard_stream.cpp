@@ -10,8 +10,8 @@ namespace {
 
 std::atomic<bool> isResultLost = false;
 
-// Takes what the last call on standard output returned.
-void judge(const bool isDone) noexcept {
+// Remembers whether the last call on standard output failed.
+void recordResult(const bool isDone) noexcept {
     if (!isDone && errno != EPIPE) {
         isResultLost = true;
     }
@@ -20,15 +20,15 @@ void judge(const bool isDone) noexcept {
 } // namespace
 
 void printResult(const std::string_view text) noexcept {
-    judge(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+    recordResult(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
 bool flushResults() noexcept {
-    judge(std::fflush(stdout) == 0);
+    recordResult(std::fflush(stdout) == 0);
     return !isResultLost;
 }
 
-void printRemark(const std::string_view text) noexcept {
+void printSummary(const std::string_view text) noexcept {
     flushResults();
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);

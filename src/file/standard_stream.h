@@ -9,12 +9,13 @@ namespace metamarch {
 // Prints a result on standard output; it may wait in a buffer until flushResults().
 void printResult(std::string_view text) noexcept;
 
-// Returns false where a part of the results is lost, now or before. Where the reader of a pipe has read
-// enough and left, nothing is.
+// Writes the waiting results. Returns false if any result could not be written, in this call or an earlier
+// one. A reader that closes its pipe early is no failure: it has read what it wants (`| head`).
 bool flushResults() noexcept;
 
-// Prints on standard output what the program says beside its results. What is lost of it is not missed.
-void printRemark(std::string_view text) noexcept;
+// Prints a line for the user on standard output that is not a result, such as a summary. A failure to write
+// it is ignored.
+void printSummary(std::string_view text) noexcept;
 
 // Prints on standard error, where warnings and errors go.
 void printError(std::string_view text) noexcept;

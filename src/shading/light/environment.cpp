@@ -78,8 +78,8 @@ bool isUndershoot(const Environment& environment, std::size_t index) {
 }
 
 // Sets negative channels to 0 where they stand for light; refuses all others.
-void mendNegativeLight(Environment& environment, const std::filesystem::path& file) {
-    std::vector<std::size_t> mended;
+void repairNegativeLight(Environment& environment, const std::filesystem::path& file) {
+    std::vector<std::size_t> repaired;
     std::size_t outsideGamut = 0;
     for (std::size_t i = 0; i < environment.texels.size(); ++i) {
         const glm::vec3& texel = environment.texels[i];
@@ -93,23 +93,23 @@ void mendNegativeLight(Environment& environment, const std::filesystem::path& fi
                         "light is not negative, but in colours outside Rec. 709 and beside light four times "
                         "as bright");
         }
-        mended.push_back(i);
+        repaired.push_back(i);
     }
     // Change the texels only now: each was judged by its neighbours' original values.
-    for (const std::size_t i : mended) {
+    for (const std::size_t i : repaired) {
         environment.texels[i] = glm::max(environment.texels[i], 0.0f);
     }
-    if (!mended.empty()) {
+    if (!repaired.empty()) {
         environment.warnings.push_back(
             fmt::format("{}: channels below 0 are taken for 0; texels that have them: {} ({} colours outside "
                         "Rec. 709, {} undershoots of a filter beside brighter light)",
-                        file.string(), mended.size(), outsideGamut, mended.size() - outsideGamut));
+                        file.string(), repaired.size(), outsideGamut, repaired.size() - outsideGamut));
     }
 }
 
 // The sun in half floats: what is brighter than 65504 is stored as infinite.
-void mendInfiniteLight(Environment& environment, const std::filesystem::path& file,
-                       std::optional<float> maximum) {
+void repairInfiniteLight(Environment& environment, const std::filesystem::path& file,
+                         std::optional<float> maximum) {
     constexpr float kLargestHalf = 65504.0f;
     float brightest = kLargestHalf;
     for (const glm::vec3& texel : environment.texels) {
@@ -174,8 +174,8 @@ Environment loadEnvironment(const std::filesystem::path& file, const std::option
         }
         environment.texels.push_back(texel);
     }
-    mendInfiniteLight(environment, file, maximum);
-    mendNegativeLight(environment, file);
+    repairInfiniteLight(environment, file, maximum);
+    repairNegativeLight(environment, file);
     if (maximum) {
         dimTo(environment, *maximum);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "metamarch/cli/foreign_words.h"
+#include "metamarch/cli/other_program_options.h"
 
 #include <algorithm>
 #include <cctype>

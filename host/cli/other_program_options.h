@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of other programs.
+// What the options of other programs are called here.
 #pragma once
 #include <string>
 #include <string_view>
