@@ -5,6 +5,7 @@
 #include "metamarch/cli/bench_options.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/output_check.h"
 #include "metamarch/cli/threads.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
@@ -180,18 +181,34 @@ bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDe
                             fmt::format("{}", fmt::join(drivers, "; ")));
 }
 
-void runTraversal(const TraversalOptions& options) {
+// What can be refused before the long work.
+void checkOutputs(const TraversalOptions& options, const SettingList& given) {
+    const NamedFile outputs[] = {{"--json", options.jsonPath}, {"--markdown", options.markdownPath}};
+    for (const NamedFile& output : outputs) {
+        if (!output.path.empty()) {
+            const OutputFile probe(output.path);
+        }
+    }
+    std::vector<NamedFile> inputs = {{"--partition", given.at("partition").text()}};
+    for (const std::string& path : options.scenePaths) {
+        inputs.push_back({"SCENE", path});
+    }
+    for (const std::string& word : options.rays) {
+        if (!isRaySetName(word)) {
+            inputs.push_back({"--rays", word});
+        }
+    }
+    checkOutputsDiffer(outputs, inputs);
+}
+
+void runTraversal(const TraversalOptions& options, const SettingList& given) {
     const glm::uvec2 size = options.bench.size;
     const AccelerationOptions& structureOptions = options.structure;
     checkStructure(structureOptions);
     for (const std::string& traversal : options.traversals) {
         render::requireTable(structureOptions.table, traversal);
     }
-    for (const std::string& path : {options.jsonPath, options.markdownPath}) {
-        if (!path.empty()) {
-            const OutputFile probe(path);
-        }
-    }
+    checkOutputs(options, given);
     for (const std::string& word : options.rays) {
         if (!isRaySetName(word)) {
             bench::readRayFile(word); // before the long work
@@ -257,7 +274,7 @@ Command makeBenchTraversalCommand() {
     declareStructure(settings, options->structure);
     command.footer = "Example:\n  build/metamarch bench traversal scenes/objects.glb --rays close,diffuse "
                      "--traversals meta_table,kd_stack --size 160x120";
-    command.run = [options](const SettingList&) { runTraversal(*options); };
+    command.run = [options](const SettingList& given) { runTraversal(*options, given); };
     return command;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
+#include "metamarch/cli/output_check.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/standard_stream.h"
 #include "metamarch/image/comparison.h"
@@ -105,6 +106,9 @@ std::string failureLine(const Comparison& comparison, const CompareOptions& opti
 void runCompare(const CompareOptions& options) {
     if (!options.differencePath.empty()) {
         checkWritable(options.differencePath);
+        const NamedFile output[] = {{"--out", options.differencePath}};
+        const NamedFile inputs[] = {{"A", options.pathA}, {"B", options.pathB}};
+        checkOutputsDiffer(output, inputs);
     }
 
     const Image a = readImage(options.pathA);

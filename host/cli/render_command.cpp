@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/output_check.h"
 #include "metamarch/cli/progress.h"
 #include "metamarch/cli/render_report.h"
 #include "metamarch/cli/stage_log.h"
@@ -66,14 +67,16 @@ void checkArguments(const RenderOptions& options) {
 }
 
 // What can be refused before the long work.
-void checkOutputs(const RenderOptions& options) {
+void checkOutputs(const RenderOptions& options, const SettingList& given) {
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
-        if (isSameOutput(options.statsPath, options.outputPath)) {
-            throw Error(ErrorKind::invalidArgument, "--stats and --output name the same file");
-        }
     }
+    const NamedFile outputs[] = {{"--output", options.outputPath}, {"--stats", options.statsPath}};
+    const NamedFile inputs[] = {{"SCENE", options.scenePath},
+                                {"--env", given.at("env").text()},
+                                {"--partition", given.at("partition").text()}};
+    checkOutputsDiffer(outputs, inputs);
 }
 
 render::RenderSettings settingsOf(const RenderOptions& options) {
@@ -132,7 +135,7 @@ std::string changedOptions(const SettingList& given) {
 void runRender(const RenderOptions& options, const SettingList& given) {
     checkArguments(options);
     const glm::uvec2 size = options.size;
-    checkOutputs(options);
+    checkOutputs(options, given);
     const Threads threads(options.threads);
     StageLog log(options.isVerbose);
     const render::RenderSettings settings = settingsOf(options);

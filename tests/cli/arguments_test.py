@@ -142,6 +142,16 @@ CASES = [
     ("render cornell.glb -o a.exr --stats no/s.json", 5, NO_OUTPUT, r"cannot write no/s.json: there is no such folder"),
     ("render cornell.glb -o a.exr --stats folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
     ("render cornell.glb -o a.exr --stats ./a.exr", 2, NO_OUTPUT, r"--stats and --output name the same file"),
+    # no result replaces what the program reads
+    ("render cornell.glb -o a.exr --stats ./cornell.glb", 2, NO_OUTPUT, r"--stats and SCENE name the same file"),
+    ("render cornell.glb -o black.png --env black.png", 2, NO_OUTPUT, r"--output and --env name the same file"),
+    ("render cornell.glb -o a.exr --stats halves.json --partition halves.json", 2, NO_OUTPUT,
+     r"--stats and --partition name the same file"),
+    ("compare black.png grey.png --out black.png", 2, NO_OUTPUT, r"--out and A name the same file"),
+    ("compare black.png grey.png --out ./grey.png", 2, NO_OUTPUT, r"--out and B name the same file"),
+    ("bench traversal cornell.glb --json cornell.glb", 2, NO_OUTPUT, r"--json and SCENE name the same file"),
+    ("bench traversal cornell.glb --rays text.exr --markdown text.exr", 2, NO_OUTPUT, r"--markdown and --rays name the same file"),
+    ("bench traversal cornell.glb --json a.md --markdown a.md", 2, NO_OUTPUT, r"--markdown and --json name the same file"),
     # render: the picture's size
     *((f"render cornell.glb -o a.exr --size {size}", 2, NO_OUTPUT,
        rf"--size {size}: give WIDTHxHEIGHT in pixels, both at least 1")

@@ -106,6 +106,17 @@ class OutputTest(ProgramTest):
         self.assertTrue((self.tmp / "l.png").is_symlink())
         self.assertFalse((self.tmp / "new.png").is_symlink())
 
+    def test_no_result_replaces_an_input(self):
+        scene = self.tmp / "scene.glb"
+        scene.write_bytes(CORNELL.read_bytes())
+        (self.tmp / "link.json").symlink_to("scene.glb")
+        os.link(scene, self.tmp / "hard.json")
+        for name in ("scene.glb", "./scene.glb", "link.json", "hard.json"):
+            with self.subTest(name=name):
+                line = self.refuse(2, "render", "scene.glb", "-o", "a.png", *SMALL, "--stats", name)
+                self.assertEqual(line, "--stats and SCENE name the same file")
+                self.assertEqual(scene.read_bytes(), CORNELL.read_bytes())
+
     def test_mode_and_owner_are_kept(self):
         for name in ("a.png", "s.json"):
             (self.tmp / name).touch()
