@@ -26,8 +26,10 @@ std::size_t editDistance(std::string_view from, std::string_view to) {
 } // namespace
 
 std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates) {
+    constexpr std::size_t kMostErrors = 2;
+    const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
     std::string nearest;
-    std::size_t limit = std::min<std::size_t>(3, (word.size() + 1) / 2);
+    std::size_t limit = std::min(kMostErrors, letters / 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = editDistance(word, candidate);
         if (distance < limit) {

@@ -49,7 +49,7 @@ constexpr Answer kAnswers[] = {
     {"quiet q silent", "`--quiet`"},
     {"threads t j jobs nthreads num-threads thread-count cpus", "`--threads`"},
     {"tonemap tonemapping tone-mapping tonemapper view-transform", "`--tone-map`"},
-    {"ev gain gamma", "`--exposure`"},
+    {"ev gain", "`--exposure STOPS`"},
     {"sun-direction sun-position", "`--sun x,y,z`"},
     {"random-seed rng-seed", "`--seed`"},
     {"pixel-filter rfilter reconstruction-filter", "`--filter`"},
@@ -61,6 +61,7 @@ constexpr Answer kAnswers[] = {
     {"list-devices devices gpus list-gpus", "`metamarch devices` lists them"},
     {"F format file-format output-format image-format",
      "the ending of the picture's name says it: .exr or .png"},
+    {"gamma", "a PNG is always encoded as sRGB, and an EXR is linear"},
     {"half bit-depth color-depth float", "an EXR holds 32-bit floats, a PNG 8 bits"},
     {"transparent film-transparent no-background alpha transparency",
      "the channel A of an EXR says what is covered"},
@@ -68,7 +69,7 @@ constexpr Answer kAnswers[] = {
     {"crop cropwindow crop-window border region", "a picture is always whole"},
     {"config preferences settings", "there is no file of settings; options are given each time"},
     {"log log-file", "warnings and errors go to standard error: 2> FILE"},
-    {"V version", "`metamarch --version`"},
+    {"V version", "`metamarch --version` prints the version"},
 };
 
 // "max-depth" of "--Max_Depth=5". One letter keeps its case, because -V and -v differ.

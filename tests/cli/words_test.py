@@ -26,6 +26,8 @@ ANSWERS = {
     "metamarch devices": "--list-devices",
     "ending": "--format -F",
     "32-bit": "--half",
+    "sRGB": "--gamma",
+    "--exposure": "--gain --ev",
     "channel A": "--transparent --no-background --film-transparent --alpha",
     "denoiser": "--denoise",
     "whole": "--crop",
@@ -41,6 +43,14 @@ class WordsTest(ProgramTest):
                 with self.subTest(word=word):
                     line = self.refuse(2, "render", "Box.glb", word, "4")
                     self.assertRegex(line, rf"\Arender: unknown argument `{re.escape(word)}`; .*{re.escape(answer.strip())}\b")
+
+    def test_short_words_are_guessed_only_where_most_letters_fit(self):
+        """`--fps` has one letter of `--up` and of `--spp`; a third of three letters may be wrong."""
+        for word, answer in {"--fps": "", "--jsn": "", "--spq": "; did you mean `--spp`?", "--eey": "", "--ey": "",
+                             "--sise": "; did you mean `--size`?", "--outptu": "; did you mean `--output`?"}.items():
+            with self.subTest(word=word):
+                self.assertEqual(self.refuse(2, "render", "Box.glb", word, "4"),
+                                 f"render: unknown argument `{word}`{answer} (see `metamarch render --help`)")
 
     def test_an_unknown_option_is_named_before_a_missing_one(self):
         self.assertRegex(self.refuse(2, "render", "Box.glb", "--outptu", "x.png"),
@@ -58,6 +68,11 @@ class WordsTest(ProgramTest):
         for words, answer in {"help": "--help", "version": "--version", "-v": "--version", "-V": "--version", "rendr": "render",
                               "--list-devices": "metamarch devices"}.items():
             self.assertRegex(self.refuse(2, words), rf"unknown (sub-command|option) `{words}`; .*`?{answer}`")
+
+    def test_answers_are_sentences(self):
+        for word in ("-v", "-V"):
+            self.assertEqual(self.refuse(2, word),
+                             f"unknown option `{word}`; `metamarch --version` prints the version (see `metamarch --help`)")
 
     def test_help_fits_a_page(self):
         listing = self.succeed("--help").split("Subcommands:")[1].split("Exit codes:")[0]
