@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/output_check.h"
+#include "metamarch/cli/threads.h"
 #include "metamarch/error/error.h"
 #include "metamarch/file/standard_stream.h"
 #include "metamarch/image/comparison.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace metamarch::cli {
 namespace {
@@ -21,6 +23,7 @@ struct CompareOptions {
     std::string pathB;
     ComparisonBounds bounds;
     std::string differencePath;
+    std::optional<std::uint32_t> threads;
     bool json = false;
 };
 
@@ -111,6 +114,7 @@ void runCompare(const CompareOptions& options) {
         checkOutputsDiffer(output, inputs);
     }
 
+    const Threads threads(options.threads);
     const Image a = readImage(options.pathA);
     const Image b = readImage(options.pathB);
     const Comparison comparison = compareImages(a, b, options.bounds);
@@ -148,6 +152,7 @@ Command makeCompareCommand() {
     settings.text("out", options->differencePath, "Write |A - B| of every common channel to this .exr")
         .withValueName("FILE.exr");
     settings.flag("json", options->json, "Print the report as JSON; \"inf\" and \"nan\" are strings there");
+    declareThreads(settings, options->threads);
     command.footer =
         "Per channel: root mean square error; mean of (A-B)^2 / (B^2 + 0.01); mean of A-B; the largest\n"
         "|A-B| and its pixel, counted from the top left; the pixels that fail. One infinity or NaN against\n"

@@ -99,6 +99,8 @@ CASES = [
     ("compare a b --max-abs nan", 2, NO_OUTPUT, r"--max-abs nan: give a bound of 0 or more"),
     ("compare a b --max-abs much", 2, NO_OUTPUT, r"--max-abs much: give a bound of 0 or more"),
     ("compare a b --max-fail-percent -0.1", 2, NO_OUTPUT, r"--max-fail-percent -0.1: give a bound of 0 or more"),
+    ("compare a b --threads 0", 2, NO_OUTPUT, r"--threads 0: give a whole number from 1 to 1024"),
+    ("compare black.png black.png --threads 1", 0, r"channel .*within bounds: 0 of 2 pixels fail.*", NO_OUTPUT),
     ("compare a b --out difference.jpg", 2, NO_OUTPUT, r"difference.jpg: a picture is written as .exr or .png"),
     # compare: unreadable pictures, unwritable output
     ("compare missing.exr black.png", 3, NO_OUTPUT, r"cannot read missing.exr: No such file or directory"),
