@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <string>
+#include <sys/resource.h>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -20,6 +23,54 @@ namespace {
 // The pools beside each other: TBB, OpenImageIO, OpenEXR and the driver's two.
 constexpr std::size_t kPools = 5;
 constexpr std::size_t kOthers = 4; // single threads of the driver, such as that of its disk cache
+
+// A limit of this many threads or more leaves room beside what a user or a container already runs.
+constexpr std::uint64_t kAmple = 16384;
+
+// The limit in a cgroup's file pids.max; nothing where it is "max" or the file is not there.
+std::optional<std::uint64_t> readPidsMax(const std::filesystem::path& folder) {
+    std::ifstream file(folder / "pids.max");
+    std::uint64_t limit = 0;
+    return file >> limit ? std::optional(limit) : std::nullopt;
+}
+
+// Whether a cgroup of this process, or one above it, has a limit below `wanted`; see cgroups(7). In a
+// container the path may be the host's. Then only the mounted folder itself has the file.
+bool isCgroupBelow(const std::uint64_t wanted) {
+    std::ifstream cgroups("/proc/self/cgroup");
+    for (std::string line; std::getline(cgroups, line);) { // HIERARCHY:CONTROLLERS:/PATH
+        const std::size_t controllers = line.find(':');
+        const std::size_t path = line.find(":/", controllers);
+        if (path == std::string::npos) {
+            continue;
+        }
+        const bool isUnified = path == controllers + 1; // version 2 names no controllers
+        if (!isUnified && line.substr(controllers, path - controllers).find("pids") == std::string::npos) {
+            continue;
+        }
+        std::string folder = isUnified ? "/sys/fs/cgroup" : "/sys/fs/cgroup/pids";
+        const std::size_t root = folder.size();
+        for (folder += line.substr(path + 1);; folder.resize(std::max(folder.rfind('/'), root))) {
+            const std::optional<std::uint64_t> limit = readPidsMax(folder);
+            if (limit && *limit < wanted) {
+                return true;
+            }
+            if (folder.size() <= root) {
+                break;
+            }
+        }
+    }
+    return false;
+}
+
+// Whether the system may refuse some of `wanted` threads: a limit of the user (`ulimit -u`) or of a container
+// is not far above that number.
+bool isNearLimit(const std::uint64_t wanted) {
+    rlimit user{};
+    const bool isUserLimited = getrlimit(RLIMIT_NPROC, &user) == 0 && user.rlim_cur != RLIM_INFINITY &&
+                               user.rlim_cur < wanted + kAmple;
+    return isUserLimited || isCgroupBelow(wanted + kAmple);
+}
 
 // How many of `wanted` threads the system lets live beside each other.
 std::size_t possibleThreads(const std::size_t wanted) {
@@ -52,14 +103,14 @@ std::size_t possibleThreads(const std::size_t wanted) {
 // The threads of each pool, the calling one among them, and what the driver is to be told.
 struct Share {
     std::size_t threads;
-    bool isLimited; // fewer than there are processors
+    bool isSet; // by the user or by a limit; otherwise the libraries choose by themselves
 };
 
 Share shareOf(const std::optional<std::uint32_t> wanted) {
     const auto processors = static_cast<std::size_t>(std::max(tbb::info::default_concurrency(), 1));
     const std::size_t threads = wanted ? std::size_t{*wanted} : processors;
     const std::size_t all = kPools * threads + kOthers;
-    const std::size_t possible = possibleThreads(all);
+    const std::size_t possible = isNearLimit(all) ? possibleThreads(all) : all;
     if (possible == all) {
         return {threads, wanted.has_value()};
     }
@@ -67,7 +118,7 @@ Share shareOf(const std::optional<std::uint32_t> wanted) {
 }
 
 std::size_t limitAll(const Share& share) {
-    if (share.isLimited) {
+    if (share.isSet) {
         setImageThreads(static_cast<int>(share.threads));
         setenv("LP_NUM_THREADS", std::to_string(share.threads).c_str(), 1);
     }

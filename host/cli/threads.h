@@ -15,7 +15,7 @@ Setting& declareThreads(SettingList& list, std::optional<std::uint32_t>& threads
 // Limits, while it lives, the threads of the program itself, of the picture writer and of Mesa's software
 // Vulkan driver. It has to be there before the Vulkan loader is opened: the driver reads its limit from the
 // environment. Without a number each takes one for each processor, or fewer where the system (`ulimit -u`, a
-// container's limit) does not allow so many.
+// container's limit) does not allow so many. Only where such a limit is near are the threads tried out.
 class Threads {
   public:
     explicit Threads(std::optional<std::uint32_t> wanted);

@@ -6,6 +6,7 @@ import resource
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 from arguments_test import triangle
 from program import SCENES, ProgramTest, as_nobody, main, metamarch, unshare
@@ -114,6 +115,25 @@ class ProcessTest(ProgramTest):
                     if result.returncode != 0:
                         self.assertRegex(result.stderr, r"\Ametamarch: [^\n]+\n\Z")
                         self.assertEqual(backend, "gpu")
+
+    def test_threads_are_tried_only_near_a_limit(self):
+        """Counts the threads and processes by the number of the next process. The trial of 100 threads makes 504."""
+        unshare("-m", "-p", "-f")
+        hard, container = resource.getrlimit(resource.RLIMIT_NPROC)[1], Path("/sys/fs/cgroup/pids.max")
+        if 0 <= hard < 20000 or (container.exists() and container.read_text() != "max\n"):
+            self.skipTest("this machine has a limit itself")
+        self.shell("$P render $C -o a.exr " + " ".join(SMALL))
+        for folder in ("cgroup", "cgroup/pids"):  # versions 2 and 1
+            (self.tmp / folder).mkdir()
+            (self.tmp / folder / "pids.max").write_text("10000\n")
+        for prepare, is_tried in (("ulimit -u 20000", False), ("ulimit -u 10000", True),
+                                 ("ulimit -u 20000 && mount --bind cgroup /sys/fs/cgroup", True)):
+            script = f"{prepare} && $P compare a.exr a.exr --threads 100 > log && sh -c 'echo $$'"
+            result = subprocess.run(["unshare", "-m", "-p", "-f", "bash", "-c", f"P={metamarch()}; {script}"], cwd=self.tmp,
+                                    capture_output=True, text=True, check=False, env={**os.environ, **self.environment})
+            with self.subTest(prepare=prepare):
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                self.assertEqual(int(result.stdout) > 504, is_tried)
 
     def test_too_few_addresses_are_not_a_missing_driver(self):
         for mebibytes in (900, 1100):  # with fewer, libraries end the program before its first line
