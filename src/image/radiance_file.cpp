@@ -38,6 +38,13 @@ struct Layout {
     int height() const { return isByColumns ? length : count; }
 };
 
+std::string_view trimmed(std::string_view text) {
+    constexpr const char* kBlanks = " \t";
+    const std::size_t begin = text.find_first_not_of(kBlanks);
+    return begin != std::string_view::npos ? text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1)
+                                           : std::string_view();
+}
+
 class RadianceReader {
   public:
     RadianceReader(std::span<const unsigned char> bytes, const std::filesystem::path& path)
@@ -79,7 +86,7 @@ class RadianceReader {
             if (!text.starts_with(kFormat)) {
                 continue;
             }
-            const std::string format = text.substr(kFormat.size());
+            const std::string_view format = trimmed(std::string_view(text).substr(kFormat.size()));
             if (format != "32-bit_rle_rgbe" && format != "32-bit_rle_xyze") {
                 refuse(fmt::format("its format '{:.40}' is neither 32-bit_rle_rgbe nor 32-bit_rle_xyze",
                                    format));

@@ -45,6 +45,19 @@ std::vector<float> redOf(const Image& image) {
     return values;
 }
 
+// Radiance's formatval() skips blanks on both sides of the value.
+TEST_F(RadianceFileTest, BlanksAroundTheFormat) {
+    const auto redAfter = [&](const std::string& line) {
+        return read("#?RADIANCE\n" + line + "\n\n-Y 1 +X 1\n" + texel(1, 0, 0, 136)).pixels.at(0);
+    };
+    for (const char* line :
+         {"FORMAT= 32-bit_rle_rgbe", "FORMAT=32-bit_rle_rgbe \t", "FORMAT= \t32-bit_rle_rgbe\r"}) {
+        EXPECT_EQ(redAfter(line), 1.0f) << line;
+    }
+    // 3.2409699 of X is red.
+    EXPECT_FLOAT_EQ(redAfter("FORMAT= 32-bit_rle_xyze "), 3.2409699f);
+}
+
 TEST_F(RadianceFileTest, EveryOrientation) {
     // The picture is 10 20 30 over 40 50 60.
     const std::map<std::string, std::vector<int>> cases = {
@@ -124,6 +137,8 @@ TEST_F(RadianceFileTest, BrokenHeaders) {
     };
     expect("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "it is cut off before the end of its header");
     expect("#?RADIANCE\nFORMAT=16-bit\n\n-Y 1 +X 1\n", "its format '16-bit' is neither");
+    expect("#?RADIANCE\nFORMAT= \n\n-Y 1 +X 1\n", "its format '' is neither");
+    expect("#?RADIANCE\nFORMAT=32-bit rle rgbe\n\n-Y 1 +X 1\n", "its format '32-bit rle rgbe' is neither");
     for (const char* resolution :
          {"", "-Y 1", "-Y 1 +Y 1", "+Z 1 +X 1", "-Y 0 +X 1", "-Y -1 +X 1", "-Y a +X 1"}) {
         expect(kHeader + resolution + "\n" + grey(1), "is not of the form '-Y height +X width'");
