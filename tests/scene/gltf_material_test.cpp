@@ -89,6 +89,15 @@ TEST(GltfMaterial, SpecularGlossiness) {
     EXPECT_EQ(plain.ior, 0.0f);
     EXPECT_EQ(plain.specularFactor, 1.0f);
     EXPECT_EQ(plain.specularColorFactor, glm::vec3(0.25f, 0.5f, 1));
+    // What the extension replaces is not read, so faults there do not refuse the file.
+    source["pbrMetallicRoughness"] = {{"baseColorTexture", texture(99)}, {"baseColorFactor", "red"}};
+    source["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5},
+                                                      {"specularTexture", texture(99)}};
+    source["extensions"]["KHR_materials_ior"] = {{"ior", "high"}};
+    const Material replaced = MaterialFile(source).material();
+    EXPECT_EQ(replaced.baseColorFactor, glm::vec4(1, 0.5f, 0.25f, 0.5f));
+    EXPECT_EQ(replaced.specularFactor, 1.0f);
+    EXPECT_EQ(replaced.ior, 0.0f);
     const Material bare =
         MaterialFile(withExtension("KHR_materials_pbrSpecularGlossiness", Json::object())).material();
     EXPECT_EQ(bare.specularColorFactor, glm::vec3(1));

@@ -29,18 +29,19 @@ class MaterialReader {
 
     Material read() {
         material_.name = source_.text("name");
-        readCore();
-        readSurfaceExtensions();
         if (const auto glossy = source_.extension("KHR_materials_pbrSpecularGlossiness")) {
             readSpecularGlossiness(*glossy);
+        } else {
+            readMetallicRoughness();
         }
+        readSurface();
         readTransmission();
         readCoats();
         return std::move(material_);
     }
 
   private:
-    void readCore() {
+    void readMetallicRoughness() {
         const GltfElement pbr = source_.object("pbrMetallicRoughness");
         Material& m = material_;
         m.baseColorFactor =
@@ -49,27 +50,9 @@ class MaterialReader {
         m.metallicFactor = factor(pbr, "metallicFactor", 1.0);
         m.roughnessFactor = factor(pbr, "roughnessFactor", 1.0);
         m.metallicRoughnessTexture = textures_.ref(pbr, "metallicRoughnessTexture", false);
-        m.normalTexture = textures_.ref(source_, "normalTexture", false);
-        m.normalScale = normalScale(source_, "normalTexture");
-        m.emissiveFactor = color(source_, "emissiveFactor", 0.0);
-        m.emissiveTexture = textures_.ref(source_, "emissiveTexture", true);
-        m.alphaMode = alphaMode();
-        m.alphaCutoff = factor(source_, "alphaCutoff", 0.5, 0.0, kLargest);
-        m.doubleSided = source_.flag("doubleSided", false);
-    }
-
-    void readSurfaceExtensions() {
-        Material& m = material_;
-        m.unlit = source_.extension("KHR_materials_unlit").has_value();
-        if (const auto emissive = source_.extension("KHR_materials_emissive_strength")) {
-            m.emissiveStrength = factor(*emissive, "emissiveStrength", 1.0, 0.0, kLargest);
-        }
         if (const auto refraction = source_.extension("KHR_materials_ior")) {
             m.ior = factor(*refraction, "ior", 1.5, 0.0, kLargest);
             m.ior = m.ior == 0.0f ? 0.0f : std::max(m.ior, 1.0f);
-        }
-        if (const auto dispersion = source_.extension("KHR_materials_dispersion")) {
-            m.dispersion = factor(*dispersion, "dispersion", 0.0, 0.0, kLargest);
         }
         if (const auto specular = source_.extension("KHR_materials_specular")) {
             m.specularFactor = factor(*specular, "specularFactor", 1.0);
@@ -79,14 +62,10 @@ class MaterialReader {
                 glm::clamp(specular->vector<3>("specularColorFactor", glm::dvec3(1.0)), 0.0, kLargest));
             m.specularColorTexture = textures_.ref(*specular, "specularColorTexture", true);
         }
-        if (const auto anisotropy = source_.extension("KHR_materials_anisotropy")) {
-            m.anisotropyStrength = factor(*anisotropy, "anisotropyStrength", 0.0);
-            m.anisotropyRotation = factor(*anisotropy, "anisotropyRotation", 0.0, -kLargest, kLargest);
-            m.anisotropyTexture = textures_.ref(*anisotropy, "anisotropyTexture", false);
-        }
     }
 
-    // Replaces the core's reflection, as the extension asks. A dielectric whose index of refraction is given
+    // Reads the extension in place of the core's reflection, as it asks. The core's part is for readers
+    // without the extension, so nothing in it is checked. A dielectric whose index of refraction is given
     // as 0 reflects its specular colour at normal incidence (KHR_materials_ior), which is what the
     // extension's specular colour means.
     void readSpecularGlossiness(const GltfElement& glossy) {
@@ -96,13 +75,35 @@ class MaterialReader {
         m.baseColorTexture = textures_.ref(glossy, "diffuseTexture", true);
         m.metallicFactor = 0.0f;
         m.ior = 0.0f;
-        m.specularFactor = 1.0f;
-        m.specularTexture = {};
         m.specularColorFactor = color(glossy, "specularFactor", 1.0);
         m.specularColorTexture = textures_.ref(glossy, "specularGlossinessTexture", true);
         const float glossiness = factor(glossy, "glossinessFactor", 1.0);
         m.metallicRoughnessTexture = textures_.roughnessRef(glossy, "specularGlossinessTexture", glossiness);
         m.roughnessFactor = m.metallicRoughnessTexture.texture == kNoTexture ? 1.0f - glossiness : 1.0f;
+    }
+
+    // Reads what all materials have.
+    void readSurface() {
+        Material& m = material_;
+        m.normalTexture = textures_.ref(source_, "normalTexture", false);
+        m.normalScale = normalScale(source_, "normalTexture");
+        m.emissiveFactor = color(source_, "emissiveFactor", 0.0);
+        m.emissiveTexture = textures_.ref(source_, "emissiveTexture", true);
+        m.alphaMode = alphaMode();
+        m.alphaCutoff = factor(source_, "alphaCutoff", 0.5, 0.0, kLargest);
+        m.doubleSided = source_.flag("doubleSided", false);
+        m.unlit = source_.extension("KHR_materials_unlit").has_value();
+        if (const auto emissive = source_.extension("KHR_materials_emissive_strength")) {
+            m.emissiveStrength = factor(*emissive, "emissiveStrength", 1.0, 0.0, kLargest);
+        }
+        if (const auto dispersion = source_.extension("KHR_materials_dispersion")) {
+            m.dispersion = factor(*dispersion, "dispersion", 0.0, 0.0, kLargest);
+        }
+        if (const auto anisotropy = source_.extension("KHR_materials_anisotropy")) {
+            m.anisotropyStrength = factor(*anisotropy, "anisotropyStrength", 0.0);
+            m.anisotropyRotation = factor(*anisotropy, "anisotropyRotation", 0.0, -kLargest, kLargest);
+            m.anisotropyTexture = textures_.ref(*anisotropy, "anisotropyTexture", false);
+        }
     }
 
     void readTransmission() {
