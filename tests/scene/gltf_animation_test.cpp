@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace metamarch {
 namespace {
 
@@ -352,7 +354,18 @@ TEST(GltfSkin, BrokenOnesAreRefused) {
     file.root["skins"][0].erase("inverseBindMatrices");
     file.setJoints(std::vector<std::uint8_t>(12, 0), {-1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
     EXPECT_EQ(file.refusal(),
-              "mesh 'body' primitive 0: joint or weight of vertex 0 is negative or not finite");
+              "mesh 'body' primitive 0: a weight of vertex 0 is -1, not a finite number of at least 0");
+    const float infinity = std::numeric_limits<float>::infinity();
+    file.setJoints(std::vector<std::uint8_t>(12, 0), {1, 0, 0, 0, 1, infinity, 0, 0, 1, 0, 0, 0});
+    EXPECT_EQ(file.refusal(),
+              "mesh 'body' primitive 0: a weight of vertex 1 is inf, not a finite number of at least 0");
+    file.setJoints(std::vector<std::uint8_t>(12, 0), {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    Json& attributes = file.primitive()["attributes"];
+    const Json joints = attributes["JOINTS_0"];
+    attributes["JOINTS_0"] = file.addFloats("VEC4", 4, {0, 0, 0, 0, 0, 0, 0, 0, -3, 0, 0, 0});
+    EXPECT_EQ(file.refusal(),
+              "mesh 'body' primitive 0: a joint of vertex 2 is -3, not an integer from 0 to 65535");
+    attributes["JOINTS_0"] = joints;
     file.primitive()["attributes"].erase("WEIGHTS_0");
     EXPECT_EQ(file.refusal(), "mesh 'body' primitive 0: JOINTS_0 without WEIGHTS_0");
     file.primitive()["attributes"].erase("JOINTS_0");

@@ -4,6 +4,8 @@
 #include "metamarch/scene/gltf/accessor.h"
 #include "metamarch/scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -226,9 +228,13 @@ class PartReader {
         // Writers that normalise or quantize weights leave such rounding errors below 0.
         constexpr float kLeastWeight = -1e-3f;
         const bool isJoint = joint >= 0.0f && joint < kMostJoints;
-        if (!(weight >= kLeastWeight && std::isfinite(weight)) || (weight > 0.0f && !isJoint)) {
-            file_.refuse(part_.label + ": joint or weight of vertex " + std::to_string(vertex) +
-                         " is negative or not finite");
+        if (!(weight >= kLeastWeight && std::isfinite(weight))) {
+            file_.refuse(fmt::format("{}: a weight of vertex {} is {}, not a finite number of at least 0",
+                                     part_.label, vertex, weight));
+        }
+        if (weight > 0.0f && !isJoint) {
+            file_.refuse(fmt::format("{}: a joint of vertex {} is {}, not an integer from 0 to 65535",
+                                     part_.label, vertex, joint));
         }
         return {isJoint ? static_cast<std::uint32_t>(joint) : 0u, std::max(weight, 0.0f)};
     }
