@@ -137,8 +137,9 @@ void repairInfiniteLight(Environment& environment, const std::filesystem::path& 
         noNumber += hasNoNumber ? 1 : 0;
     }
     if (infinite > 0) {
-        environment.warnings.push_back(fmt::format(
-            "{}: infinite light is taken for {}; texels that have it: {}", file.string(), limit, infinite));
+        environment.warnings.push_back(
+            fmt::format("{}: infinite light is taken for {}; texels that have it: {}{}", file.string(), limit,
+                        infinite, maximum ? "" : "; a maximum for the map's light dims them"));
     }
     if (noNumber > 0) {
         environment.warnings.push_back(fmt::format(
