@@ -204,6 +204,13 @@ class MeshoptFile : public GltfFile {
         return refusal();
     }
 
+    // Replaces the extensions of element 1 of a list.
+    std::string refusalOfExtensions(const char* list, const Json& extensions) {
+        finish();
+        root[list][1]["extensions"] = extensions;
+        return refusal();
+    }
+
     std::vector<unsigned char> vertexBytes;
     std::vector<unsigned char> indexBytes;
 
@@ -384,8 +391,23 @@ TEST(GltfMeshopt, WhatTheDecodersTakeForGrantedIsChecked) {
         MeshoptFile file;
         file.extension(0).update(change);
         const std::string found = file.refusalOfCompressed();
-        EXPECT_TRUE(found.starts_with("buffer view 0: meshopt compression: " + line)) << found;
+        EXPECT_TRUE(found.starts_with("buffer view 0: EXT_meshopt_compression: " + line)) << found;
     }
+}
+
+TEST(GltfMeshopt, BrokenExtensionsAreRefused) {
+    const auto expect = [](const char* list, const Json& extensions, const std::string& line) {
+        MeshoptFile file;
+        EXPECT_EQ(file.refusalOfExtensions(list, extensions), line);
+    };
+    for (const std::string name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+        expect("buffers", {{name, Json::array()}}, "buffer 1: " + name + ": is not an object");
+        expect("buffers", {{name, {{"fallback", "yes"}}}},
+               "buffer 1: " + name + ": fallback is neither true nor false");
+        expect("bufferViews", {{name, Json::array()}}, "buffer view 1: " + name + ": is not an object");
+    }
+    expect("buffers", Json::array(), "buffer 1: extensions: is not an object");
+    expect("bufferViews", Json::array(), "buffer view 1: extensions: is not an object");
 }
 
 TEST(GltfMeshopt, HostileBytes) {

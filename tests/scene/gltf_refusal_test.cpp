@@ -2,6 +2,7 @@
 // Hostile and broken glTF: every file is refused with one line that names the element.
 #include "scene/gltf_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -261,11 +262,24 @@ TEST(GltfRefusal, NotGltf) {
     writeFile(folder / "scene.xyz", "x");
     EXPECT_EQ(refusalOf(folder / "scene.xyz"), "the ending '.xyz' is none of .gltf .glb .obj .ply .off .stl");
     writeFile(folder / "prose.gltf", "Dear friend,\nthis is a letter.");
-    EXPECT_TRUE(refusalOf(folder / "prose.gltf").starts_with("not glTF: "));
+    EXPECT_TRUE(refusalOf(folder / "prose.gltf").starts_with("not glTF: parse error at line 1, column 1: "));
     writeFile(folder / "old.gltf", R"({"asset":{"version":"1.0"}})");
     EXPECT_EQ(refusalOf(folder / "old.gltf"), "asset.version: glTF 1.0 is not supported, glTF 2.0 is");
     writeFile(folder / "list.gltf", R"({"asset":{"version":"2.0"},"meshes":{"a":1}})");
     EXPECT_EQ(refusalOf(folder / "list.gltf"), "meshes is not an array of objects");
+    for (const char* primitives : {R"({"a":1})", "[1]", "3"}) {
+        writeFile(
+            folder / "primitives.gltf",
+            fmt::format(R"({{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":{}}}]}})", primitives));
+        EXPECT_EQ(refusalOf(folder / "primitives.gltf"), "meshes[0].primitives is not an array of objects");
+    }
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+        for (const char* names : {R"("KHR_lights_punctual")", "[1]", "{}"}) {
+            writeFile(folder / "names.gltf",
+                      fmt::format(R"({{"asset":{{"version":"2.0"}},"{}":{}}})", key, names));
+            EXPECT_EQ(refusalOf(folder / "names.gltf"), key + std::string(" is not an array of strings"));
+        }
+    }
 }
 
 // The lengths of a GLB's header and chunks, with one of them wrong at a time.

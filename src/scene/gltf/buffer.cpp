@@ -15,9 +15,10 @@ namespace metamarch {
 namespace {
 
 // Whether the buffer only stands for the decoded bytes of compressed views.
-bool isFallback(const nlohmann::json& buffer) {
-    const nlohmann::json* meshopt = canDecompressMeshopt() ? meshoptExtension(buffer) : nullptr;
-    return meshopt != nullptr && meshopt->value("fallback", false);
+bool isFallback(const GltfElement& buffer) {
+    const std::optional<GltfElement> meshopt =
+        canDecompressMeshopt() ? meshoptExtension(buffer) : std::nullopt;
+    return meshopt && meshopt->flag("fallback", false);
 }
 
 std::vector<unsigned char> dataOf(const GltfElement& buffer, const std::string& uri) {
@@ -78,7 +79,7 @@ void readBuffers(GltfDocument& document, InputFile& file, std::span<const unsign
     std::iota(first.begin(), first.end(), std::size_t{0});
     std::map<std::filesystem::path, std::size_t> firstOfFile;
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (isFallback(document.json["buffers"][i])) {
+        if (isFallback(sources[i])) {
             continue;
         }
         const std::string uri = sources[i].text("uri");

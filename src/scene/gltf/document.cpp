@@ -7,6 +7,7 @@
 #include "metamarch/scene/gltf/glb_container.h"
 #include "metamarch/scene/gltf/meshopt.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -43,6 +44,13 @@ bool contains(const std::array<std::string_view, N>& keys, std::string_view key)
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
+// Returns the library's message without its "[json.exception.parse_error.101] ".
+std::string reasonOf(const Json::exception& failure) {
+    const std::string_view text = failure.what();
+    const std::size_t end = text.find("] ");
+    return std::string(end != std::string_view::npos ? text.substr(end + 2) : text);
+}
+
 Json parseJson(const InputFile& file, const unsigned char* begin, const unsigned char* end) {
     const auto keep = [&file](int depth, Json::parse_event_t event, Json& parsed) {
         if (depth > kMaxJsonDepth) {
@@ -57,7 +65,7 @@ Json parseJson(const InputFile& file, const unsigned char* begin, const unsigned
         }
         return root;
     } catch (const Json::exception& failure) {
-        file.refuse(std::string("not glTF: ") + failure.what());
+        file.refuse("not glTF: " + reasonOf(failure));
     }
 }
 
@@ -115,19 +123,26 @@ void checkVersion(InputFile& file, Json& root) {
     }
 }
 
-std::vector<std::string> extensionNames(const Json& root, const char* key) {
+std::vector<std::string> extensionNames(const InputFile& file, const Json& root, const char* key) {
     const auto names = root.find(key);
-    return names != root.end() ? names->get<std::vector<std::string>>() : std::vector<std::string>();
+    if (names == root.end()) {
+        return {};
+    }
+    if (!names->is_array() ||
+        !std::ranges::all_of(*names, [](const Json& name) { return name.is_string(); })) {
+        file.refuse(std::string(key) + " is not an array of strings");
+    }
+    return names->get<std::vector<std::string>>();
 }
 
 void checkExtensions(InputFile& file, const Json& root) {
-    for (const std::string& name : extensionNames(root, "extensionsRequired")) {
+    for (const std::string& name : extensionNames(file, root, "extensionsRequired")) {
         if (!isSupportedExtension(name)) {
             file.refuse("extensionsRequired: " + name + " is not supported");
         }
     }
     std::string unknown;
-    for (const std::string& name : extensionNames(root, "extensionsUsed")) {
+    for (const std::string& name : extensionNames(file, root, "extensionsUsed")) {
         if (!isSupportedExtension(name)) {
             unknown += (unknown.empty() ? "" : ", ") + name;
         }
@@ -180,17 +195,24 @@ void restoreStrides(GltfDocument& document) {
     }
 }
 
+bool isArrayOfObjects(const Json& value) {
+    return value.is_array() &&
+           std::ranges::all_of(value, [](const Json& element) { return element.is_object(); });
+}
+
 // These elements must be objects; otherwise a library would throw without naming the element.
 void checkObjects(const InputFile& file, const Json& root) {
     for (const char* key : {"accessors", "animations", "buffers", "bufferViews", "cameras", "images",
                             "materials", "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
         const auto elements = root.find(key);
-        if (elements == root.end()) {
-            continue;
-        }
-        if (!elements->is_array() || !std::all_of(elements->begin(), elements->end(),
-                                                  [](const Json& element) { return element.is_object(); })) {
+        if (elements != root.end() && !isArrayOfObjects(*elements)) {
             file.refuse(std::string(key) + " is not an array of objects");
+        }
+    }
+    for (std::size_t i = 0; root.contains("meshes") && i < root["meshes"].size(); ++i) {
+        const Json& mesh = root["meshes"][i];
+        if (mesh.contains("primitives") && !isArrayOfObjects(mesh["primitives"])) {
+            file.refuse(fmt::format("meshes[{}].primitives is not an array of objects", i));
         }
     }
 }
@@ -245,7 +267,7 @@ GltfDocument readGltf(InputFile& file) {
         parsed = tinygltf::TinyGLTF().LoadASCIIFromString(&document.model, &errors, &warnings, checked.data(),
                                                           static_cast<unsigned int>(checked.size()), "");
     } catch (const Json::exception& failure) {
-        file.refuse(std::string("not glTF: ") + failure.what());
+        file.refuse("not glTF: " + reasonOf(failure));
     }
     // tinygltf continues after some errors; after one of them it drops the primitive with the error.
     if (!parsed || !errors.empty()) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/scene/gltf/meshopt.h"
 
-#include "metamarch/scene/gltf/element.h"
 #include "metamarch/scene/gltf/meshopt_attributes.h"
 
 #include <fmt/format.h>
@@ -18,17 +17,9 @@
 
 namespace metamarch {
 
-const nlohmann::json* meshoptExtension(const nlohmann::json& element) {
-    const auto extensions = element.find("extensions");
-    if (extensions == element.end() || !extensions->is_object()) {
-        return nullptr;
-    }
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-        if (const auto found = extensions->find(name); found != extensions->end()) {
-            return &*found;
-        }
-    }
-    return nullptr;
+std::optional<GltfElement> meshoptExtension(const GltfElement& element) {
+    const std::optional<GltfElement> older = element.extension("EXT_meshopt_compression");
+    return older ? older : element.extension("KHR_meshopt_compression");
 }
 
 #ifdef METAMARCH_MESHOPT
@@ -162,12 +153,11 @@ void decompressMeshopt(GltfDocument& document, const InputFile& file) {
     const std::vector<GltfElement> views =
         GltfElement(file, "", &document.json).objects("bufferViews", "buffer view");
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const nlohmann::json* json = meshoptExtension(document.json["bufferViews"][i]);
-        if (json == nullptr) {
+        const std::optional<GltfElement> extension = meshoptExtension(views[i]);
+        if (!extension) {
             continue;
         }
-        const GltfElement extension(file, views[i].label() + ": meshopt compression", json);
-        const MeshoptView compressed(model, extension);
+        const MeshoptView compressed(model, *extension);
         std::vector<unsigned char> bytes = compressed.decoded();
         tinygltf::BufferView& view = model.bufferViews[i];
         view.buffer = static_cast<int>(model.buffers.size());

@@ -2,6 +2,9 @@
 // EXT_meshopt_compression and KHR_meshopt_compression.
 #pragma once
 #include "metamarch/scene/gltf/document.h"
+#include "metamarch/scene/gltf/element.h"
+
+#include <optional>
 
 namespace metamarch {
 
@@ -14,6 +17,6 @@ bool canDecompressMeshopt();
 void decompressMeshopt(GltfDocument& document, const InputFile& file);
 
 // Returns the extension of a buffer or buffer view, under either of its names.
-const nlohmann::json* meshoptExtension(const nlohmann::json& element);
+std::optional<GltfElement> meshoptExtension(const GltfElement& element);
 
 } // namespace metamarch
