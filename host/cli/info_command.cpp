@@ -12,8 +12,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace metamarch::cli {
 namespace {
@@ -32,6 +36,24 @@ std::string triple(const nlohmann::ordered_json& values, const char* separator) 
     }
     return fmt::format("{}{}{}{}{}", values[0].dump(), separator, values[1].dump(), separator,
                        values[2].dump());
+}
+
+// A name of a file may be bytes that are no UTF-8.
+std::string textOf(const nlohmann::ordered_json& json, const int indent) {
+    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+// Prints the names that choose among the file's scenes; JSON's escapes hide control characters.
+void printScenes(const std::vector<std::string>& scenes) {
+    constexpr std::size_t kMostLines = 50;
+    for (std::size_t i = 0; i < std::min(scenes.size(), kMostLines); ++i) {
+        const std::string quoted = textOf(scenes[i], -1);
+        printResult(fmt::format("{:<12} {} '{}'\n", i == 0 ? "scenes" : "", i,
+                                std::string_view(quoted).substr(1, quoted.size() - 2)));
+    }
+    if (scenes.size() > kMostLines) {
+        printResult(fmt::format("{:<12} and {} more, see --json\n", "", scenes.size() - kMostLines));
+    }
 }
 
 void printText(const nlohmann::ordered_json& report) {
@@ -96,11 +118,12 @@ void runInfo(const InfoOptions& options) {
         report["rectilinear"] = reportRectilinear(StructureSet(*prepared.structure).rectilinearTable());
     }
     if (options.json) {
+        report["scenes"] = scene->scenes;
         report.update(reportContents(*scene));
-        // A name of a mesh file may be bytes that are no UTF-8.
-        printResult(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        printResult(textOf(report, 2) + "\n");
     } else {
         printText(report);
+        printScenes(scene->scenes);
         printResult(contentsText(*scene));
     }
 }

@@ -12,7 +12,7 @@
 namespace metamarch {
 
 std::size_t chooseIndex(const std::string& kind, const std::vector<std::string>& names,
-                        const std::string& selection) {
+                        const std::string& selection, const std::string& owner) {
     std::size_t index = 0;
     const char* const end = selection.data() + selection.size();
     const auto [stop, error] = std::from_chars(selection.data(), end, index);
@@ -28,7 +28,7 @@ std::size_t chooseIndex(const std::string& kind, const std::vector<std::string>&
         list.push_back(fmt::format("{} '{}'", i, names[i]));
     }
     throw Error(ErrorKind::invalidArgument,
-                fmt::format("there is no {} {}; the scene has {}", kind, selection,
+                fmt::format("there is no {} {}; the {} has {}", kind, selection, owner,
                             list.empty() ? "none" : fmt::format("{}", fmt::join(list, ", "))),
                 {kind});
 }

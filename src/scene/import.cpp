@@ -3,7 +3,6 @@
 
 #include "metamarch/error/error.h"
 #include "metamarch/file/input_file.h"
-#include "metamarch/scene/choice.h"
 #include "metamarch/scene/gltf/import.h"
 #include "metamarch/scene/mesh/mesh_import.h"
 
@@ -20,9 +19,6 @@ Scene import(InputFile& file, const ImportOptions& options) {
         return importGltf(file, options);
     }
     if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl") {
-        if (!options.scene.empty()) {
-            chooseIndex("scene", {""}, options.scene);
-        }
         return importMesh(file, ending, options);
     }
     file.refuse("the ending '" + ending + "' is none of .gltf .glb .obj .ply .off .stl");

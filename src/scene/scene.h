@@ -86,6 +86,7 @@ struct Scene {
     std::vector<TextureImage> images;
     std::vector<PunctualLight> lights;
     std::vector<SceneCamera> cameras;
+    std::vector<std::string> scenes;        // valid names for ImportOptions::scene, in file order
     std::vector<std::string> variants;      // valid names for ImportOptions::variant, in file order
     std::vector<SceneAnimation> animations; // of the file, whichever poses the scene
 

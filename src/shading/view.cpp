@@ -44,7 +44,7 @@ const SceneCamera& selectCamera(const Scene& scene, const std::string& selection
     for (const SceneCamera& camera : scene.cameras) {
         names.push_back(camera.name);
     }
-    return scene.cameras[chooseIndex("camera", names, selection)];
+    return scene.cameras[chooseIndex("camera", names, selection, "scene")];
 }
 
 SceneCamera lookAt(const glm::vec3 eye, const glm::vec3 target, const glm::vec3 up) {

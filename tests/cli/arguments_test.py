@@ -218,9 +218,9 @@ CASES = [
     ("info cornell.glb --scale 1e-30", 0, ANYTHING, r"warning: all 32 triangles are degenerate, nothing is visible; .*"),
     # choices of the scene's parts
     ("info cornell.glb --scene 0", 0, r"vertices +64\n.*", NO_OUTPUT),
-    ("info cornell.glb --scene side", 2, NO_OUTPUT, r"there is no scene side; the scene has 0 '.*' \(--scene\)"),
-    ("info cornell.glb --variant red", 2, NO_OUTPUT, r"there is no variant red; the scene has none \(--variant\)"),
-    ("info variants.gltf --variant blue", 2, NO_OUTPUT, r"there is no variant blue; the scene has 0 'red', 1 'green' \(--variant\)"),
+    ("info cornell.glb --scene side", 2, NO_OUTPUT, r"there is no scene side; the file has 0 '.*' \(--scene\)"),
+    ("info cornell.glb --variant red", 2, NO_OUTPUT, r"there is no variant red; the file has none \(--variant\)"),
+    ("info variants.gltf --variant blue", 2, NO_OUTPUT, r"there is no variant blue; the file has 0 'red', 1 'green' \(--variant\)"),
     ("info variants.gltf --variant green", 0, r"vertices +3\n.*", NO_OUTPUT),
     ("info painted.gltf", 3, NO_OUTPUT, r"painted.gltf: texture 'gone.png' is missing \(--allow-missing-textures\)"),
     ("info painted.gltf --allow-missing-textures", 0, r"vertices +3\n.*",
@@ -228,7 +228,7 @@ CASES = [
     ("info cornell.glb --time 1", 0, r"vertices +64\n.*", r"warning: cornell.glb: there is no animation, .*"),
     ("info cornell.glb --time nan", 2, NO_OUTPUT, r"--time nan: give finite seconds"),
     ("info cornell.glb --time 1 --animation walk", 2, NO_OUTPUT,
-     r"there is no animation walk; the scene has none \(--animation\)"),
+     r"there is no animation walk; the file has none \(--animation\)"),
     ("info cornell.glb --animation walk", 2, NO_OUTPUT, r"--animation needs --time"),
     # render: device and method
     ("render cornell.glb -o a.exr --device 99", 4, NO_OUTPUT, r"device 99: there is no such device; devices: 0: .* \(--device\)"),

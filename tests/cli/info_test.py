@@ -72,6 +72,19 @@ class InfoTest(ProgramTest):
         for label in ("vertices", "triangles", "bounds", "lattice", "kd-tree", "leaves", "table", "memory", "built in"):
             self.assertRegex(text, rf"(?m)^{label} +\S")
 
+    def test_scenes(self):
+        (self.tmp / "a.off").write_text("OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertEqual(self.info("a.off")["scenes"], [""])
+        self.assertRegex(self.succeed("info", "a.off"), r"(?m)^scenes +0 ''$")
+        names = ["near", "far\x1b[2J", *(str(i) for i in range(2, 53))]
+        # No scene has a mesh, so none has triangles.
+        (self.tmp / "b.gltf").write_text(json.dumps(
+            {"asset": {"version": "2.0"}, "nodes": [{}], "scenes": [{"name": name, "nodes": [0]} for name in names]}))
+        self.assertEqual(self.info("b.gltf", "--scene", "near")["scenes"], names)
+        text = self.succeed("info", "b.gltf")
+        self.assertRegex(text, r"(?m)^scenes +0 'near'\n {13}1 'far\\u001b\[2J'\n {13}2 '2'$")
+        self.assertRegex(text, r"(?m)^ {13}49 '49'\n {13}and 3 more, see --json$")
+
     def test_the_papers_settings(self):
         words = SCENES / "objects.glb", "--unit", "0.1"
         paper, ours = self.info(*words, "--preset", "paper"), self.info(*words)

@@ -113,10 +113,10 @@ TEST(GltfAnimation, AllOrOneByNameOrIndex) {
     expectNear(file.at(0, "translation")[1], {6, 0, 0});
     expectNear(file.at(0, "1")[1], {2, 0, 0});
     expectError(ErrorKind::invalidArgument,
-                "there is no animation walk; the scene has 0 'translation', 1 'scale'", {"animation"},
+                "there is no animation walk; the file has 0 'translation', 1 'scale'", {"animation"},
                 [&] { file.at(0, "walk"); });
     TriangleFile still;
-    expectError(ErrorKind::invalidArgument, "there is no animation walk; the scene has none", {"animation"},
+    expectError(ErrorKind::invalidArgument, "there is no animation walk; the file has none", {"animation"},
                 [&] { still.load({.time = 0.0, .animation = "walk"}); });
     EXPECT_TRUE(still.load({.time = 0.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }

@@ -337,8 +337,10 @@ TEST(GltfGeometry, DefaultScene) {
     EXPECT_EQ(file.load().positions[0].z, 1.0f);
     file.root.erase("scene");
     EXPECT_EQ(file.load().positions[0].z, 0.0f);
+    EXPECT_EQ(file.load().scenes, std::vector<std::string>({"", ""}));
     file.root.erase("scenes"); // selects all root nodes
     EXPECT_EQ(file.load().meshes.size(), 2u);
+    EXPECT_TRUE(file.load().scenes.empty());
 }
 
 TEST(GltfGeometry, SceneByNameOrIndex) {
@@ -346,8 +348,9 @@ TEST(GltfGeometry, SceneByNameOrIndex) {
     file.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {0, 0, 1}}}};
     file.root["scenes"] = {{{"name", "near"}, {"nodes", {1}}}, {{"name", "far"}, {"nodes", {0}}}};
     EXPECT_EQ(file.load({.scene = "far"}).positions[0].z, 0.0f);
+    EXPECT_EQ(file.load({.scene = "far"}).scenes, std::vector<std::string>({"near", "far"}));
     EXPECT_EQ(file.load({.scene = "0"}).positions[0].z, 1.0f);
-    expectError(ErrorKind::invalidArgument, "there is no scene wide; the scene has 0 'near', 1 'far'",
+    expectError(ErrorKind::invalidArgument, "there is no scene wide; the file has 0 'near', 1 'far'",
                 {"scene"}, [&] { file.load({.scene = "wide"}); });
     const std::filesystem::path mesh = file.folder / "a.obj";
     writeFile(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

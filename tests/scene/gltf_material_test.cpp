@@ -352,10 +352,10 @@ TEST(GltfVariants, PrimitiveWithoutAMappingKeepsItsMaterial) {
 TEST(GltfVariants, UnknownOnesAreListed) {
     VariantFile file;
     expectError(ErrorKind::invalidArgument,
-                "there is no variant blue; the scene has 0 'brown', 1 'black', 2 'white'", {"variant"},
+                "there is no variant blue; the file has 0 'brown', 1 'black', 2 'white'", {"variant"},
                 [&] { file.load({.variant = "blue"}); });
     TriangleFile plain;
-    expectError(ErrorKind::invalidArgument, "there is no variant blue; the scene has none", {"variant"},
+    expectError(ErrorKind::invalidArgument, "there is no variant blue; the file has none", {"variant"},
                 [&] { plain.load({.variant = "blue"}); });
 }
 

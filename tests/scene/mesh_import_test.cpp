@@ -168,12 +168,14 @@ TEST_F(MeshImport, OtherFormatsUnderAMeshEnding) {
 
 TEST_F(MeshImport, HasOneSceneAndNoVariantsOrAnimations) {
     writeFile(folder / "a.off", kOff);
-    EXPECT_EQ(loadScene(folder / "a.off", {.scene = "0"}).triangles.size(), kTriangles.size() - 1);
-    expectError(ErrorKind::invalidArgument, "there is no scene main; the scene has 0 ''", {"scene"},
+    const Scene scene = loadScene(folder / "a.off", {.scene = "0"});
+    EXPECT_EQ(scene.triangles.size(), kTriangles.size() - 1);
+    EXPECT_EQ(scene.scenes, std::vector<std::string>({""}));
+    expectError(ErrorKind::invalidArgument, "there is no scene main; the file has 0 ''", {"scene"},
                 [&] { loadScene(folder / "a.off", {.scene = "main"}); });
-    expectError(ErrorKind::invalidArgument, "there is no variant red; the scene has none", {"variant"},
+    expectError(ErrorKind::invalidArgument, "there is no variant red; the file has none", {"variant"},
                 [&] { loadScene(folder / "a.off", {.variant = "red"}); });
-    expectError(ErrorKind::invalidArgument, "there is no animation 0; the scene has none", {"animation"},
+    expectError(ErrorKind::invalidArgument, "there is no animation 0; the file has none", {"animation"},
                 [&] { loadScene(folder / "a.off", {.animation = "0"}); });
 }
 

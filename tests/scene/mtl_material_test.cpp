@@ -338,9 +338,9 @@ TEST_F(MtlMaterial, ALaterMaterialOfTheSameNameAddsToIt) {
 }
 
 TEST_F(MtlMaterial, NeitherVariantsNorAnimations) {
-    expectError(ErrorKind::invalidArgument, "there is no variant blue; the scene has none", {"variant"},
+    expectError(ErrorKind::invalidArgument, "there is no variant blue; the file has none", {"variant"},
                 [&] { load("", {.variant = "blue"}); });
-    expectError(ErrorKind::invalidArgument, "there is no animation walk; the scene has none", {"animation"},
+    expectError(ErrorKind::invalidArgument, "there is no animation walk; the file has none", {"animation"},
                 [&] { load("", {.time = 1.0, .animation = "walk"}); });
     EXPECT_TRUE(load("", {.time = 1.0}).warnings.at(0).ends_with("it looks the same at any time"));
 }

@@ -35,6 +35,9 @@ class GltfImporter {
                 scene_.variants.push_back(variant.text("name"));
             }
         }
+        for (const tinygltf::Scene& scene : document.model.scenes) {
+            scene_.scenes.push_back(scene.name);
+        }
     }
 
     Scene import() {

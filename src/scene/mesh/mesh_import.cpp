@@ -256,8 +256,9 @@ MeshFile readMesh(InputFile& file, const std::string& ending) {
 
 Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions& options) {
     // These formats have one scene without a name, no variants and no animations.
+    const std::vector<std::string> scenes = {""};
     if (!options.scene.empty()) {
-        chooseIndex("scene", {""}, options.scene);
+        chooseIndex("scene", scenes, options.scene);
     }
     if (!options.variant.empty()) {
         chooseIndex("variant", {}, options.variant);
@@ -268,7 +269,9 @@ Scene importMesh(InputFile& file, const std::string& ending, const ImportOptions
     if (options.time) {
         file.warn("there is no animation, it looks the same at any time");
     }
-    return MeshImporter(readMesh(file, ending), file, options).import();
+    Scene scene = MeshImporter(readMesh(file, ending), file, options).import();
+    scene.scenes = scenes;
+    return scene;
 }
 
 } // namespace metamarch
