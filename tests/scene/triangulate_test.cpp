@@ -300,6 +300,45 @@ TEST(Triangulate, LargePolygons) {
     EXPECT_NEAR(areaOf(disc, triangulate(inSpace(disc))) / doubleArea(disc), 1.0, 1e-9);
 }
 
+// A thin triangle whose slanted side has many corners: any triangle in it lies along all of them.
+TEST(Triangulate, ThinPolygonsWithCornersOnASlantedSide) {
+    const auto expectExact = [](const Polygon& polygon) {
+        PolygonTriangulator triangulator;
+        const std::span<const glm::uvec3> triangles = triangulator.triangulate(inSpace(polygon));
+        EXPECT_FALSE(triangulator.ranOutOfWork());
+        expectTriangulated(polygon, {triangles.begin(), triangles.end()});
+    };
+    for (const int corners : {1000, 10000}) {
+        for (const glm::vec2& apex :
+             {glm::vec2(1, 0), {corners, corners - 1}, {corners / 2 + 1, corners / 2}}) {
+            Polygon diagonal = {apex};
+            Polygon steep = {{apex.x, 3 * apex.y}};
+            for (int i = corners - 1; i > 0; --i) {
+                diagonal.emplace_back(i, i);
+                steep.emplace_back(i, 3 * i);
+            }
+            expectExact(diagonal);
+            expectExact(steep);
+        }
+        Polygon passage;
+        for (int i = 0; i < corners / 2; ++i) {
+            passage.emplace_back(i + 1, i);
+        }
+        for (int i = corners / 2 - 1; i >= 0; --i) {
+            passage.emplace_back(i, i);
+        }
+        expectExact(passage);
+        // Corners that are rounded, so they turn a little to either side; the polygon stays simple.
+        Polygon rounded = {{0.2f, 0.0f}};
+        for (int i = corners - 1; i > 0; --i) {
+            rounded.emplace_back(0.1f * static_cast<float>(i), 0.07f * static_cast<float>(i));
+        }
+        EXPECT_EQ(triangulate(inSpace(rounded)).size(), rounded.size() - 2);
+        EXPECT_NEAR(areaOf(rounded, triangulate(inSpace(rounded))) / std::abs(doubleArea(rounded)), 1.0,
+                    1e-9);
+    }
+}
+
 TEST(Triangulate, PolygonsThatCrossThemselvesEnd) {
     EXPECT_FALSE(triangulate(inSpace({{0, 0}, {1, 1}, {1, 0}, {0, 1}})).empty());
     std::mt19937 random(1);
@@ -311,6 +350,26 @@ TEST(Triangulate, PolygonsThatCrossThemselvesEnd) {
         }
         EXPECT_FALSE(triangulate(corners).empty());
     }
+}
+
+// A star of long sides that turns right, and within it, five times around, a circle that turns left. Each
+// triangle of the circle lies in the boxes of all neighbours of the star.
+TEST(Triangulate, SaysWhenTheWorkRunsOut) {
+    PolygonTriangulator triangulator;
+    Polygon polygon;
+    constexpr int kSize = 4000;
+    for (int i = 0; i < kSize; ++i) {
+        const double angle = -std::numbers::pi * (kSize - 1) / kSize * i;
+        polygon.emplace_back(100.0 * std::cos(angle), 100.0 * std::sin(angle));
+    }
+    for (int i = 0; i < kSize; ++i) {
+        const double angle = 10.0 * std::numbers::pi * i / kSize;
+        polygon.emplace_back(90.0 * std::cos(angle), 90.0 * std::sin(angle));
+    }
+    EXPECT_FALSE(triangulator.triangulate(inSpace(polygon)).empty());
+    EXPECT_TRUE(triangulator.ranOutOfWork());
+    triangulator.triangulate(inSpace({{0, 0}, {1, 0}, {0, 1}}));
+    EXPECT_FALSE(triangulator.ranOutOfWork());
 }
 
 // In a slanted plane the corners are rounded, and the area along the axis stays exact.

@@ -8,17 +8,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
 namespace metamarch {
 
-// A kd-tree over some corners of a polygon, from which corners can be removed.
+// A tree over some corners of a polygon, from which corners can be removed. Each node holds corners that
+// follow each other, as a node with corners from both sides of a narrow passage would lie in every triangle
+// of it.
 class CornerTree {
   public:
-    // `points` are those of all corners, and `members` the corners that the tree holds. The points must stay
-    // until the next build.
+    // `points` are those of all corners, and `members` the corners that the tree holds, in their order.
+    // The points must stay until the next build.
     void build(std::span<const glm::vec2> points, std::span<const std::uint32_t> members);
 
     void remove(std::uint32_t corner);
@@ -35,9 +36,14 @@ class CornerTree {
     static constexpr std::uint32_t kNone = 0xffffffffu;
     static constexpr std::size_t kLeafSize = 8;
 
+    // A parallelogram around corners. Two of its sides lie along the lesser axis of their box, and two in the
+    // direction of the corners, so corners on or near a slanted line have a thin one. Counter-clockwise.
+    using Strip = std::array<glm::dvec2, 4>;
+
     struct Node {
         glm::vec2 lo;
         glm::vec2 hi;
+        Strip strip;
         std::uint32_t parent;
         std::uint32_t left = kNone; // the right child follows it; none in a leaf
         std::uint32_t begin;        // into corners_
@@ -47,6 +53,7 @@ class CornerTree {
 
     void split(std::uint32_t node);
     std::uint32_t addNode(std::uint32_t parent, std::uint32_t begin, std::uint32_t end);
+    Strip stripOf(const Node& node) const;
     static bool isApart(const Node& node, const std::array<glm::vec2, 3>& triangle);
 
     template <class Accept>
@@ -71,7 +78,7 @@ class CornerTree {
     }
 
     std::span<const glm::vec2> points_;
-    std::vector<std::uint32_t> corners_; // in the order of the leaves
+    std::vector<std::uint32_t> corners_; // in the order of the polygon
     std::vector<std::uint32_t> leaf_;    // indexed by corner: the node that holds it, or kNone
     std::vector<Node> nodes_;
 };

@@ -62,6 +62,7 @@ View viewOf(std::span<const glm::vec3> corners) {
 
 std::span<const glm::uvec3> PolygonTriangulator::triangulate(std::span<const glm::vec3> corners) {
     triangles_.clear();
+    work_ = 0;
     if (corners.size() == 3) {
         addTriangle(0, 1, 2);
     } else if (!std::ranges::all_of(corners, isFinite)) {
@@ -287,8 +288,8 @@ bool PolygonTriangulator::isSpike(std::uint32_t corner) const {
     return orientation(a, b, c) == 0 && !(isBetween(a.x, b.x, c.x) && isBetween(a.y, b.y, c.y));
 }
 
-// If any corner lies in the triangle of a simple polygon's corner, one that does not turn left does: the one
-// farthest from the new side has both neighbours nearer to it.
+// Only corners that do not turn left need a look. If corners of a simple polygon lie in the triangle, take
+// the one farthest from the new side. Both its neighbours are nearer to that side, so it does not turn left.
 bool PolygonTriangulator::isEar(std::uint32_t corner) {
     if (turn(corner) <= 0) {
         return false;

@@ -26,8 +26,13 @@ class PolygonTriangulator {
     // programs.
     // - A polygon that crosses itself gives some triangles.
     // - A polygon with a corner that is not finite gives a fan.
-    // The time for n corners is about n log n, and at most a multiple of n sqrt(n).
+    // The time for n corners is about n log n, and at most a multiple of n sqrt(n). A polygon that would need
+    // more is finished without looking whether other corners lie in a triangle: see ranOutOfWork().
     std::span<const glm::uvec3> triangulate(std::span<const glm::vec3> corners);
+
+    // Whether the last polygon would have needed too much time. Its triangles may overlap, lie outside it and
+    // leave out parts and corners of it.
+    bool ranOutOfWork() const { return work_ < 0; }
 
   private:
     void project(std::span<const glm::vec3> corners);
