@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace metamarch {
 namespace {
@@ -210,6 +211,31 @@ TEST_F(Obj, WhatIsNotRenderedIsNamedOnce) {
     load(kSquare + "s 1\ns off\nlod 3\nmg 0\nbevel on\nusemap wood\nusemap rock\n",
          {"the keywords usemap are not known and are skipped"});
     load(kSquare + "f 1 2\nf 1\nf\n", {"mesh 0: 3 faces with fewer than three corners are not rendered"});
+    load(kSquare + "f 1 2\n", {"mesh 0: 1 face with fewer than three corners is not rendered"});
+    std::string groups = kSquare;
+    for (int i = 0; i < 10; ++i) {
+        groups += "o g" + std::to_string(i) + "\nf 1 2\n";
+    }
+    load(
+        groups,
+        {"mesh 'g0', mesh 'g1', mesh 'g2', mesh 'g3', mesh 'g4', mesh 'g5', mesh 'g6', mesh 'g7' and 2 more: "
+         "10 faces with fewer than three corners are not rendered"});
+}
+
+// The polygon of Triangulate.SaysWhenTheWorkRunsOut.
+TEST_F(Obj, FacesThatAreNotDividedExactlyAreNamed) {
+    std::string content;
+    std::string face = "f";
+    constexpr int kSize = 4000;
+    for (int i = 0; i < 2 * kSize; ++i) {
+        const double angle = std::numbers::pi / kSize * (i < kSize ? -(kSize - 1) * i : 10 * (i - kSize));
+        const double radius = i < kSize ? 100.0 : 90.0;
+        content += "v " + std::to_string(radius * std::cos(angle)) + ' ' +
+                   std::to_string(radius * std::sin(angle)) + " 0\n";
+        face += ' ' + std::to_string(i + 1);
+    }
+    load(content + face + "\n",
+         {"mesh 0: 1 face with very many corners is not divided exactly: parts may be missing or stand out"});
 }
 
 TEST_F(Obj, GroupsAreMeshes) {

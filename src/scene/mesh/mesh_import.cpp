@@ -4,15 +4,14 @@
 #include "metamarch/scene/choice.h"
 #include "metamarch/scene/instance_writer.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
+#include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/mesh/triangulate.h"
 #include "metamarch/scene/mesh/vertex_join.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <map>
-#include <span>
 #include <string_view>
-#include <tuple>
 
 namespace metamarch {
 namespace {
@@ -27,7 +26,8 @@ struct Group {
 struct Part {
     std::vector<Group> groups;                                     // in the order of their first faces
     std::map<std::pair<std::uint32_t, bool>, std::size_t> groupOf; // material and hasNormals
-    std::uint64_t thinFaces = 0;                                   // faces with fewer than three corners
+    std::uint64_t facesBelowThreeCorners = 0;
+    std::uint64_t facesOutOfWork = 0; // PolygonTriangulator::ranOutOfWork()
 };
 
 template <class T>
@@ -51,6 +51,9 @@ class MeshImporter {
         scene_.materials = std::move(source_.materials);
         scene_.textures = std::move(source_.textures);
         divideFaces();
+        warnOfFaces(&Part::facesBelowThreeCorners, "with fewer than three corners", "not rendered");
+        warnOfFaces(&Part::facesOutOfWork, "with very many corners",
+                    "not divided exactly: parts may be missing or stand out");
         if (hasOneIndexPerVertex()) {
             addWhole();
         } else {
@@ -77,7 +80,7 @@ class MeshImporter {
             const std::uint32_t end = mesh_.faceEnd[face];
             Part& part = parts_[mesh_.facePart.empty() ? 0 : mesh_.facePart[face]];
             if (end - begin < 3) {
-                ++part.thinFaces;
+                ++part.facesBelowThreeCorners;
             } else if (end - begin == 3) {
                 groupOf(part, face, begin).triangles.emplace_back(begin, begin + 1, begin + 2);
             } else {
@@ -89,6 +92,7 @@ class MeshImporter {
                 for (const glm::uvec3& triangle : triangulator.triangulate(corners)) {
                     group.triangles.push_back(begin + triangle);
                 }
+                part.facesOutOfWork += triangulator.ranOutOfWork() ? 1 : 0;
             }
             begin = end;
         }
@@ -128,7 +132,6 @@ class MeshImporter {
         geometry.texCoords[0] = std::move(mesh_.texCoords);
         geometry.colors = std::move(mesh_.colors);
         const std::string label = labelOf(0);
-        warnOfThinFaces(label, parts_[0]);
         InstanceWriter writer(scene_, file_, nameOf(0), label, toWorld_);
         write(writer, label, std::move(geometry), parts_[0].groups[0].material);
         writer.finish();
@@ -158,7 +161,6 @@ class MeshImporter {
 
     void addPart(std::uint32_t index) {
         const std::string label = labelOf(index);
-        warnOfThinFaces(label, parts_[index]);
         if (parts_[index].groups.empty()) {
             return;
         }
@@ -214,10 +216,19 @@ class MeshImporter {
         writer.write(label, geometry, material);
     }
 
-    void warnOfThinFaces(const std::string& label, const Part& part) {
-        if (part.thinFaces > 0) {
-            file_.warn(label + ": " + std::to_string(part.thinFaces) +
-                       " faces with fewer than three corners are not rendered");
+    // One line for all parts: a file can have one for each of its faces.
+    void warnOfFaces(std::uint64_t Part::*count, const std::string& which, const std::string& what) {
+        NameList labels;
+        std::uint64_t faces = 0;
+        for (std::uint32_t part = 0; part < parts_.size(); ++part) {
+            if (parts_[part].*count > 0) {
+                labels.add(labelOf(part));
+                faces += parts_[part].*count;
+            }
+        }
+        if (faces > 0) {
+            file_.warn(labels.text() + ": " + std::to_string(faces) + (faces == 1 ? " face " : " faces ") +
+                       which + (faces == 1 ? " is " : " are ") + what);
         }
     }
 
