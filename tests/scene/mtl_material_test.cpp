@@ -20,6 +20,17 @@ class MtlMaterial : public testing::Test {
         return loadScene(folder / "a.obj", options);
     }
 
+    // Loads a triangle for each of the materials n0, n1, ... of a library.
+    Scene loadAll(const std::string& library, int materials) {
+        writeFile(folder / "a.mtl", library);
+        std::string content = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        for (int i = 0; i < materials; ++i) {
+            content += "usemtl n" + std::to_string(i) + "\nf 1 2 3\n";
+        }
+        writeFile(folder / "a.obj", content);
+        return loadScene(folder / "a.obj");
+    }
+
     Material material(const std::string& lines) { return load(lines).materials.at(0); }
 
     std::string refusal(const std::string& lines) {
@@ -218,12 +229,58 @@ TEST_F(MtlMaterial, TransparencyOfBothMeanings) {
         return text;
     };
     EXPECT_EQ(warnings("Tr 1.000000\n", 1.0f),
-              "material 'm': by its Tr nothing of it would be seen; it is rendered opaque");
-    EXPECT_EQ(warnings("d 0\n", 0.0f), "material 'm': its d is 0, so nothing of it is seen");
+              "by Tr nothing would be seen of the materials m; they are rendered opaque");
+    EXPECT_EQ(warnings("d 0\n", 0.0f), "nothing is seen of the materials m: their d is 0");
     EXPECT_EQ(warnings("d -halo 0.5\n", 0.5f), "'a.mtl': d -halo are not rendered");
     // MeshLab names itself before the first material.
     EXPECT_EQ(warnings("# Converted by Meshlab Group\nnewmtl m\nTr 0.25\n", 0.25f), "");
     EXPECT_EQ(warnings("# Converted by Meshlab Group\nnewmtl m\nTr 1\n", 1.0f), "");
+}
+
+TEST_F(MtlMaterial, WarningsNameManyMaterialsInOneLine) {
+    writePng("a.png", 1, 3, {10, 20, 30});
+    writePng("b.png", 1, 3, {10, 20, 30});
+    std::string library;
+    for (int i = 0; i < 10; ++i) {
+        library += "newmtl n" + std::to_string(i) + "\nd 0\nnorm a.png\nbump b.png\nmap_Kd a.png\n" +
+                   "map_d -s 2 2 b.png\n";
+    }
+    std::vector<std::string> warnings = loadAll(library, 10).warnings;
+    for (std::string& line : warnings) {
+        line = line.substr((folder / "a.obj").string().size() + 2);
+    }
+    EXPECT_EQ(
+        warnings,
+        std::vector<std::string>(
+            {"nothing is seen of the materials n0, n1, n2, n3, n4, n5, n6, n7 and 2 more: their d is 0",
+             "the bump maps of the materials n0, n1, n2, n3, n4, n5, n6, n7 and 2 more are not rendered: "
+             "they have normal maps",
+             "the options of the maps b.png are not rendered: each becomes one picture with another map, "
+             "whose options hold for both"}));
+}
+
+// Of many materials that share a colour map, each with a mask of its own.
+TEST_F(MtlMaterial, EqualPicturesAreOne) {
+    writePng("a.png", 1, 3, {10, 20, 30});
+    std::string library;
+    for (int i = 0; i < 6; ++i) {
+        const std::string mask = std::to_string(i % 3);
+        writePng("m" + mask + ".png", 1, 1, {static_cast<unsigned char>(i % 3)});
+        library += "newmtl n" + std::to_string(i) + "\nmap_Kd a.png\nmap_d m" + mask + ".png\n";
+    }
+    library += "newmtl n6\nmap_Kd a.png\nnewmtl n7\nbump a.png\n";
+    const Scene scene = loadAll(library, 8);
+    EXPECT_EQ(scene.images.size(), 5u); // with three masks, without one, and as heights
+    const auto imageOf = [&](int material) {
+        const Material& of = scene.materials[static_cast<std::size_t>(material)];
+        const TextureRef& ref = material == 7 ? of.normalTexture : of.baseColorTexture;
+        return scene.textures.at(ref.texture).image;
+    };
+    for (int i = 0; i < 8; ++i) {
+        for (int j = 0; j < 8; ++j) {
+            EXPECT_EQ(imageOf(i) == imageOf(j), i == j || (i < 6 && j < 6 && i % 3 == j % 3));
+        }
+    }
 }
 
 TEST_F(MtlMaterial, MapsAreFoundBesideTheLibraryAndTheObj) {

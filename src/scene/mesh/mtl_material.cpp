@@ -76,6 +76,17 @@ std::optional<int> channelOf(char name) {
 
 constexpr int kAlpha = 3;
 
+// Equal for sources that make the same picture. No name of a library has the end of a line in it.
+std::string keyOf(const TextureSource& source) {
+    std::string key =
+        source.name + (source.read == nullptr ? "\nwhite" : "\n") + (source.edit == nullptr ? "" : "edited");
+    for (const TextureOverlay& overlay : source.overlays) {
+        key += '\n' + overlay.source.name + '\n' + std::to_string(overlay.channel) + ' ' +
+               std::to_string(overlay.from);
+    }
+    return key;
+}
+
 } // namespace
 
 Material MtlTextures::read(const MtlMaterial& source) {
@@ -104,8 +115,7 @@ void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
         opacity = source.isByMeshLab ? given : 1.0f - given;
         if (opacity == 0.0f && !transmits) {
             opacity = 1.0f;
-            file_.warn("material '" + source.name +
-                       "': by its Tr nothing of it would be seen; it is rendered opaque");
+            madeOpaque_.add(source.name);
         }
     }
     if (transmits) {
@@ -115,7 +125,7 @@ void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
         return;
     }
     if (opacity == 0.0f) {
-        file_.warn("material '" + source.name + "': its d is 0, so nothing of it is seen");
+        invisible_.add(source.name);
     }
     material.baseColorFactor.a = unit(opacity * source.opacityMap.gain);
     if (opacity < 1.0f || source.opacityMap.isGiven()) {
@@ -128,7 +138,7 @@ void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
         TextureSource image = sourceOf(source.diffuseMap);
         if (source.opacityMap.isGiven()) {
             image.overlays.push_back(overlayOf(source.opacityMap, kAlpha));
-            warnUnlessSameUse(source, source.opacityMap, source.diffuseMap);
+            noteUnlessSameUse(source.opacityMap, source.diffuseMap);
         }
         material.baseColorTexture = add(source.diffuseMap, std::move(image), true);
     } else if (source.opacityMap.isGiven()) {
@@ -148,7 +158,7 @@ void MtlTextures::readPhysicalMaps(const MtlMaterial& source, Material& material
         TextureSource image = greySource(source.roughnessMap, {1});
         if (source.metallicMap.isGiven()) {
             image.overlays.push_back(overlayOf(source.metallicMap, 2));
-            warnUnlessSameUse(source, source.metallicMap, source.roughnessMap);
+            noteUnlessSameUse(source.metallicMap, source.roughnessMap);
         }
         material.metallicRoughnessTexture = add(source.roughnessMap, std::move(image), false);
     } else if (source.metallicMap.isGiven()) {
@@ -172,8 +182,7 @@ void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) 
         material.normalTexture = add(source.normalMap, sourceOf(source.normalMap), false);
         material.normalScale = source.normalMap.bumpMultiplier;
         if (source.bumpMap.isGiven()) {
-            file_.warn("material '" + source.name +
-                       "': the bump map is not rendered where there is a normal map");
+            withoutBumpMap_.add(source.name);
         }
     } else if (source.bumpMap.isGiven()) {
         TextureSource image =
@@ -185,25 +194,42 @@ void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) 
 }
 
 // Two maps that become one picture are looked up at the same place.
-void MtlTextures::warnUnlessSameUse(const MtlMaterial& source, const MtlMap& map, const MtlMap& shared) {
+void MtlTextures::noteUnlessSameUse(const MtlMap& map, const MtlMap& shared) {
     if (map.scale != shared.scale || map.offset != shared.offset || map.clamp != shared.clamp) {
-        file_.warn("material '" + source.name + "': the options of '" + map.name +
-                   "' are not rendered; those of '" + shared.name + "' hold for both");
+        mapsWithoutOptions_.add(map.name);
     }
 }
 
-TextureSource MtlTextures::sourceOf(const MtlMap& map) const {
-    return fileSource(file_, companionName(file_, map.folder, map.name));
+void MtlTextures::warn() {
+    const auto warn = [this](const NameList& names, const std::string& before, const std::string& after) {
+        if (!names.empty()) {
+            file_.warn(before + names.text() + after);
+        }
+    };
+    warn(madeOpaque_, "by Tr nothing would be seen of the materials ", "; they are rendered opaque");
+    warn(invisible_, "nothing is seen of the materials ", ": their d is 0");
+    warn(withoutBumpMap_, "the bump maps of the materials ", " are not rendered: they have normal maps");
+    warn(mapsWithoutOptions_, "the options of the maps ",
+         " are not rendered: each becomes one picture with another map, whose options hold for both");
+}
+
+// Many materials use the same map, and each look-up of a name asks the file system several times.
+const TextureSource& MtlTextures::sourceOf(const MtlMap& map) {
+    const auto [found, isNew] = sourceOfName_.try_emplace(map.folder + '\n' + map.name);
+    if (isNew) {
+        found->second = fileSource(file_, companionName(file_, map.folder, map.name));
+    }
+    return found->second;
 }
 
 // A mask is the alpha of its picture where it has one.
-TextureOverlay MtlTextures::overlayOf(const MtlMap& map, int channel) const {
+TextureOverlay MtlTextures::overlayOf(const MtlMap& map, int channel) {
     const int byItself = channel == kAlpha ? TextureOverlay::kAlphaOrRed : 0;
     return {sourceOf(map), channel, channelOf(map.channel).value_or(byItself)};
 }
 
 // A white picture whose `channels` are the map.
-TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<int> channels) const {
+TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<int> channels) {
     TextureSource image = sourceOf(map);
     image.read = nullptr;
     for (const int channel : channels) {
@@ -214,26 +240,14 @@ TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<i
 
 // Reuses an earlier source that makes the same picture.
 TextureRef MtlTextures::add(const MtlMap& map, TextureSource source, bool isSrgb) {
-    const auto samePicture = [&source](const TextureSource& other) {
-        return other.name == source.name && (other.read == nullptr) == (source.read == nullptr) &&
-               (other.edit == nullptr) == (source.edit == nullptr) &&
-               std::ranges::equal(
-                   other.overlays, source.overlays, [](const TextureOverlay& a, const TextureOverlay& b) {
-                       return a.source.name == b.source.name && a.channel == b.channel && a.from == b.from;
-                   });
-    };
-    std::vector<std::uint32_t>& known = sourcesOf_[source.name];
-    const auto same =
-        std::ranges::find_if(known, [&](std::uint32_t index) { return samePicture(sources_[index]); });
     Texture texture;
     texture.wrapS = texture.wrapT = map.clamp ? TextureWrap::clampToEdge : TextureWrap::repeat;
-    if (same != known.end()) {
-        texture.image = *same;
-    } else {
-        texture.image = static_cast<std::uint32_t>(sources_.size());
-        known.push_back(texture.image);
+    const auto next = static_cast<std::uint32_t>(sources_.size());
+    const auto [found, isNew] = pictures_.try_emplace(keyOf(source), next);
+    if (isNew) {
         sources_.push_back(std::move(source));
     }
+    texture.image = found->second;
     textures_.push_back(texture);
     TextureRef ref;
     ref.texture = static_cast<std::uint32_t>(textures_.size()) - 1;

@@ -4,6 +4,7 @@
 #include "metamarch/file/input_file.h"
 #include "metamarch/scene/material.h"
 #include "metamarch/scene/mesh/mtl_reader.h"
+#include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/texture/texture_loader.h"
 
 #include <initializer_list>
@@ -31,12 +32,14 @@ class MtlTextures {
     //   Pc, Pcr, map_Pc, map_Pcr   clear coat and its roughness
     //   aniso, anisor     anisotropy and its rotation in turns
     //   norm              normal map; -bm scales it
-    //   bump, map_bump    normal map from heights (texture/height_map.h), or a normal map if it looks like
-    //   one,
-    //                     as Blender writes it; -bm scales both
+    //   bump, map_bump    normal map from heights (texture/height_map.h), or a normal map if it looks
+    //                     like one, as Blender writes it; -bm scales both
     //   illum 4, 6, 7, 9  glass: 1 - d is transmitted, with the index of refraction Ni; 6 and 7 refract
     // A map without its number has factor 1. Numbers outside their range are clamped.
     Material read(const MtlMaterial& source);
+
+    // Warns of what the materials that were read have and is not rendered.
+    void warn();
 
     const std::vector<Texture>& textures() const { return textures_; }
     const std::vector<TextureSource>& sources() const { return sources_; }
@@ -46,16 +49,22 @@ class MtlTextures {
     void readColorMaps(const MtlMaterial& source, Material& material);
     void readPhysicalMaps(const MtlMaterial& source, Material& material);
     void readNormalMaps(const MtlMaterial& source, Material& material);
-    void warnUnlessSameUse(const MtlMaterial& source, const MtlMap& map, const MtlMap& shared);
-    TextureSource sourceOf(const MtlMap& map) const;
-    TextureOverlay overlayOf(const MtlMap& map, int channel) const;
-    TextureSource greySource(const MtlMap& map, std::initializer_list<int> channels) const;
+    void noteUnlessSameUse(const MtlMap& map, const MtlMap& shared);
+    const TextureSource& sourceOf(const MtlMap& map);
+    TextureOverlay overlayOf(const MtlMap& map, int channel);
+    TextureSource greySource(const MtlMap& map, std::initializer_list<int> channels);
     TextureRef add(const MtlMap& map, TextureSource source, bool isSrgb);
 
     InputFile& file_;
     std::vector<Texture> textures_;
     std::vector<TextureSource> sources_;
-    std::unordered_map<std::string, std::vector<std::uint32_t>> sourcesOf_; // by name
+    std::unordered_map<std::string, std::uint32_t>
+        pictures_; // index into sources_ by all that makes a picture
+    std::unordered_map<std::string, TextureSource> sourceOfName_; // by folder and name in the library
+    NameList madeOpaque_;
+    NameList invisible_;
+    NameList withoutBumpMap_;
+    NameList mapsWithoutOptions_;
 };
 
 } // namespace metamarch

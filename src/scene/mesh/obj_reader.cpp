@@ -280,6 +280,7 @@ class ObjReader {
         for (const MtlMaterial& material : library.all()) {
             result_.materials.push_back(textures_.read(material));
         }
+        textures_.warn();
         result_.textures = textures_.textures();
         result_.textureSources = textures_.sources();
 
