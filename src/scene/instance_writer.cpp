@@ -79,7 +79,7 @@ void InstanceWriter::finish() {
     report(brokenPositions_, "positions of vertices that no triangle uses are not finite; zero is used");
     report(brokenNormals_, "normals are zero or not finite; the triangles' own are used there");
     report(brokenTexCoords_, "texture coordinates are not finite; zero is used");
-    report(brokenColors_, "colors are negative or not finite; white is used");
+    report(brokenColors_, "colours are negative or not finite; white is used");
     report(brokenTangents_, "tangents are zero or not finite; any direction is used there");
 }
 

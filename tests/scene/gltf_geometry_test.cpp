@@ -248,7 +248,7 @@ TEST(GltfGeometry, ColorsOfThreeAndFourChannels) {
     color = file.addVec3({-0.5f, 0, 1, 0, 0.25f, 0, 2, 2, 2});
     const Scene scene = file.load();
     EXPECT_EQ(scene.colors[0], glm::vec4(1));
-    EXPECT_TRUE(scene.warnings.at(0).ends_with("1 colors are negative or not finite; white is used"));
+    EXPECT_TRUE(scene.warnings.at(0).ends_with("1 colours are negative or not finite; white is used"));
 }
 
 TEST(GltfGeometry, HierarchyOfTransforms) {

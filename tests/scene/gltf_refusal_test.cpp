@@ -198,7 +198,7 @@ TEST(GltfRefusal, QuotesAreCut) {
     const std::string cut = std::string(80, 'x') + "...";
     TriangleFile file;
     file.root["buffers"] = {{{"uri", letters}, {"byteLength", 36}}};
-    EXPECT_EQ(file.refusal(), "buffer 0: '" + cut + "' is missing");
+    EXPECT_EQ(file.refusal(), "buffer 0: '" + cut + "' has too long a name");
     file.root["buffers"][0]["uri"] = "data:application/octet-stream," + letters;
     EXPECT_EQ(file.refusal(), "buffer 0: a data URI that is not base64");
     file.root["buffers"][0]["uri"] = "data:application/octet-stream;base64,!" + letters;

@@ -32,8 +32,8 @@ class MtlTextures {
     //   Pc, Pcr, map_Pc, map_Pcr   clear coat and its roughness
     //   aniso, anisor     anisotropy and its rotation in turns
     //   norm              normal map; -bm scales it
-    //   bump, map_bump    normal map from heights (texture/height_map.h), or a normal map if it looks
-    //                     like one, as Blender writes it; -bm scales both
+    //   bump, map_bump    normal map from heights (texture/height_map.h), or the normal map that Blender
+    //                     writes as a bump map; -bm scales both
     //   illum 4, 6, 7, 9  glass: 1 - d is transmitted, with the index of refraction Ni; 6 and 7 refract
     // A map without its number has factor 1. Numbers outside their range are clamped.
     Material read(const MtlMaterial& source);
