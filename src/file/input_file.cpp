@@ -182,11 +182,15 @@ std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path&
     return bytes;
 }
 
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
 std::string lowerCaseEnding(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
+    return lowerCase(path.extension().string());
 }
 
 std::string elementName(const char* kind, const std::string& name, std::size_t index) {

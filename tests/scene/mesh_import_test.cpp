@@ -108,7 +108,7 @@ TEST_F(MeshImport, IndexOutOfRange) {
               "PLY face 1: vertex index 9 is out of range, there are 4 vertices");
     std::string off = kOff;
     EXPECT_EQ(refusal("a.off", off.replace(off.find("3 0 0 1"), 7, "3 0 9 1")),
-              "OFF face 1: index 9 is out of range, there are 4 vertices");
+              "OFF face 1: index '9' is out of range, there are 4 vertices");
     EXPECT_EQ(refusal("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
               "line 4: vertex index 9 is out of range, there are 3");
 }

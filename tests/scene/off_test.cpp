@@ -148,6 +148,16 @@ TEST_F(Off, Binary) {
               "OFF header: the file cannot hold 4294967295 vertices and 1 faces");
 }
 
+TEST_F(Off, TrailingBytes) {
+    const std::string square = "OFF\n4 1 0\n" + kVertices + kFace;
+    expectSquare(square + "\n \t\n# the end\n");
+    expectSquare(square + "# edges\n0 1\n1 2\n", {"OFF: 8 bytes after the last face are not read"});
+    BinaryText binary(std::endian::big);
+    binary.add<std::int32_t>({4, 1, 0}).add<float>({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
+    binary.add<std::int32_t>({4, 0, 1, 2, 3, 0});
+    expectSquare("OFF BINARY\n" + binary.text() + "\n", {"OFF: 1 bytes after the last face are not read"});
+}
+
 TEST_F(Off, PointsAreNoSurface) {
     EXPECT_EQ(refused("OFF\n4 0 0\n" + kVertices),
               "OFF: there are 4 vertices, but no faces; points are not rendered");
@@ -162,7 +172,7 @@ TEST_F(Off, Broken) {
     EXPECT_EQ(refused("OFF\n4 x 0\n" + kVertices + kFace), "OFF header: 'x' is not a count");
     EXPECT_EQ(refused("OFF\n4 -1 0\n" + kVertices + kFace), "OFF header: '-1' is not a count");
     EXPECT_EQ(refused("OFF\n4 1 0\n" + kVertices + "4 0 1 2 -3\n"),
-              "OFF face 0: index -3 is out of range, there are 4 vertices");
+              "OFF face 0: index '-3' is out of range, there are 4 vertices");
     EXPECT_EQ(refused("OFF\n4 1 0\n" + kVertices), "OFF face 0: the file ends here");
     EXPECT_EQ(refused("OFF\n4 1 0\n-1 -1 0\n1 one 0\n1 1 0\n-1 1 0\n" + kFace),
               "OFF vertex 1: 'one' is not a number");

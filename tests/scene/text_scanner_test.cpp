@@ -81,6 +81,22 @@ TEST(TextScanner, WordsAndComments) {
     EXPECT_EQ(scanner.nextWord(), "");
 }
 
+TEST(TextScanner, WordsOverLines) {
+    const std::string_view text = "a b\n# c\n\n d # e\nf\n ";
+    TextScanner scanner(text, TextScanner::Comments::cut);
+    EXPECT_EQ(scanner.nextWordOverLines(), "a");
+    EXPECT_EQ(scanner.nextWordOverLines(), "b");
+    const std::string_view d = scanner.nextWordOverLines();
+    EXPECT_EQ(d, "d");
+    EXPECT_EQ(scanner.bytesFrom(d), 9u);
+    EXPECT_EQ(scanner.nextWord(), "");
+    EXPECT_EQ(scanner.wordOfLaterLine(), "f");
+    EXPECT_EQ(scanner.wordOfLaterLine(), "");
+    TextScanner kept(text);
+    EXPECT_EQ(kept.wordOfLaterLine(), "a");
+    EXPECT_EQ(kept.wordOfLaterLine(), "#");
+}
+
 TEST(TextScanner, CommentsBeginAtAMarkThatIsOfNoNumber) {
     EXPECT_EQ(beforeComment("v 0 1 2"), "v 0 1 2");
     EXPECT_EQ(beforeComment("v 0 1 2# two"), "v 0 1 2");

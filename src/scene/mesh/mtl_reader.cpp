@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -67,13 +66,6 @@ template <class Table>
 auto find(const Table& table, std::string_view word) {
     const auto found = std::ranges::find(table, word, [](const auto& keyword) { return keyword.word; });
     return found == table.end() ? nullptr : &*found;
-}
-
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 // Returns the first word and removes it.

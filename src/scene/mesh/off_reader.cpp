@@ -2,6 +2,7 @@
 #include "metamarch/error/error.h"
 #include "metamarch/scene/instance_writer.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
+#include "metamarch/scene/mesh/stored_number.h"
 #include "metamarch/scene/mesh/text_scanner.h"
 #include "metamarch/scene/mesh/vertex_color.h"
 
@@ -60,12 +61,17 @@ void checkCounts(const InputFile& file, const Counts& counts, std::uint64_t vert
     }
 }
 
+void warnOfTrailingBytes(InputFile& file, std::size_t bytes) {
+    file.warn("OFF: " + std::to_string(bytes) + " bytes after the last face are not read");
+}
+
 // What both encodings collect.
 class OffMesh {
   public:
     OffMesh(const InputFile& file, const VertexForm& form) : file_(file), form_(form) {}
 
-    // `numbers` are those of the form, without colour.
+    // A vertex has no normal or texture coordinate, and no fourth number of its position, unless the form
+    // says so.
     void addVertex(const float* position, const float* normal, const float* texCoord) {
         const float w = form_.isHomogeneous ? position[3] : 1.0f;
         mesh_.positions.emplace_back(position[0] / w, position[1] / w, position[2] / w);
@@ -121,13 +127,12 @@ class OffMesh {
 class OffTextReader {
   public:
     OffTextReader(InputFile& file, std::string_view text, const VertexForm& form, bool isFreeForm)
-        : file_(file), size_(text.size()), scanner_(text), form_(form), isFreeForm_(isFreeForm),
-          mesh_(file, form) {}
+        : file_(file), size_(text.size()), scanner_(text, TextScanner::Comments::cut), form_(form),
+          isFreeForm_(isFreeForm), mesh_(file, form) {}
 
     // The text begins behind the word OFF.
     MeshFile read() {
         scanner_.nextLine();
-        scanner_.cutComment();
         checkDimension();
         const Counts counts = readCounts();
         checkCounts(file_, counts, 6, 2, size_); // a digit and a blank for each number
@@ -226,7 +231,7 @@ class OffTextReader {
             const std::optional<double> index = parseNumber(word);
             if (!index || !(*index >= 0.0) || *index >= static_cast<double>(vertexCount) ||
                 *index != std::floor(*index)) {
-                refuse("index " + std::string(word.substr(0, 40)) + " is out of range, there are " +
+                refuse("index " + inQuotes(word) + " is out of range, there are " +
                        std::to_string(vertexCount) + " vertices");
             }
             mesh_.addCorner(static_cast<std::uint32_t>(*index));
@@ -269,14 +274,19 @@ class OffTextReader {
 
     void finishWarnings() {
         if (isFreeForm_) {
-            if (!readToNextWord().empty()) {
+            if (!scanner_.nextWordOverLines().empty()) {
                 refuse("more words follow");
             }
             file_.warn(
                 "OFF: vertices and faces are not each on a line of their own; colours of faces are not read");
-        } else if (longLines_ > 0) {
+            return;
+        }
+        if (longLines_ > 0) {
             file_.warn("OFF: " + std::to_string(longLines_) +
                        " vertices have more numbers than the first line says; these are not read");
+        }
+        if (const std::string_view word = scanner_.wordOfLaterLine(); !word.empty()) {
+            warnOfTrailingBytes(file_, scanner_.bytesFrom(word));
         }
     }
 
@@ -301,26 +311,11 @@ class OffTextReader {
 
     // Returns the first word of the next line that has any before its '#'.
     std::string_view readToNextLine() {
-        const std::string_view word = readOverLines();
+        const std::string_view word = scanner_.wordOfLaterLine();
         if (word.empty()) {
             refuse("the file ends here");
         }
         return word;
-    }
-
-    std::string_view readToNextWord() {
-        const std::string_view word = scanner_.nextWord();
-        return word.empty() ? readOverLines() : word;
-    }
-
-    std::string_view readOverLines() {
-        while (scanner_.nextLine()) {
-            scanner_.cutComment();
-            if (const std::string_view word = scanner_.nextWord(); !word.empty()) {
-                return word;
-            }
-        }
-        return {};
     }
 
     void collectWords() {
@@ -374,7 +369,7 @@ class OffTextReader {
 // All numbers have 32 bits, the highest byte first.
 class OffBinaryReader {
   public:
-    OffBinaryReader(const InputFile& file, std::string_view bytes, const VertexForm& form)
+    OffBinaryReader(InputFile& file, std::string_view bytes, const VertexForm& form)
         : file_(file), rest_(bytes), form_(form), mesh_(file, form) {}
 
     MeshFile read() {
@@ -392,6 +387,9 @@ class OffBinaryReader {
         }
         for (std::uint64_t i = 0; i < counts.faces; ++i) {
             readFace(i, counts.vertices);
+        }
+        if (!rest_.empty()) {
+            warnOfTrailingBytes(file_, rest_.size());
         }
         return mesh_.finish(true);
     }
@@ -446,15 +444,12 @@ class OffBinaryReader {
         if (rest_.size() < 4) {
             file_.refuse("OFF: the file ends before its last element");
         }
-        std::uint32_t value = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            value = value << 8 | static_cast<unsigned char>(rest_[i]);
-        }
+        const auto value = storedNumber<std::uint32_t, std::endian::big>(rest_.data());
         rest_.remove_prefix(4);
         return value;
     }
 
-    const InputFile& file_;
+    InputFile& file_;
     std::string_view rest_;
     VertexForm form_;
     OffMesh mesh_;
@@ -475,12 +470,8 @@ std::size_t endOfKeyword(std::string_view word) {
 } // namespace
 
 MeshFile readOff(InputFile& file, std::string_view bytes) {
-    TextScanner scanner(bytes);
-    std::string_view keyword;
-    while (keyword.empty() && scanner.nextLine()) {
-        scanner.cutComment();
-        keyword = scanner.nextWord();
-    }
+    TextScanner scanner(bytes, TextScanner::Comments::cut);
+    const std::string_view keyword = scanner.wordOfLaterLine();
     const std::string_view word = keyword.substr(0, endOfKeyword(keyword));
     // Geomview reads a file that begins with its counts too.
     const bool isMissing = !keyword.empty() && word.empty();

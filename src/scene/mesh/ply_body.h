@@ -2,10 +2,10 @@
 // The numbers behind the header of a PLY file, one after another.
 #pragma once
 #include "metamarch/scene/mesh/ply_header.h"
+#include "metamarch/scene/mesh/stored_number.h"
 #include "metamarch/scene/mesh/text_scanner.h"
 
 #include <bit>
-#include <cstring>
 
 namespace metamarch {
 
@@ -29,7 +29,7 @@ class PlyPlace {
     std::uint64_t index_ = 0;
 };
 
-// The number of a text's element may not go on in the next line unless `isFreeForm`.
+// The numbers of an element are in one line, unless `isFreeForm`.
 class PlyTextBody {
   public:
     PlyTextBody(std::string_view body, const PlyPlace& place, bool isFreeForm)
@@ -39,9 +39,7 @@ class PlyTextBody {
         if (isFreeForm_) {
             return;
         }
-        if (!scanner_.nextWord().empty()) {
-            ++longLines_;
-        }
+        finishLine();
         word_ = wordOfLaterLine();
     }
 
@@ -62,26 +60,31 @@ class PlyTextBody {
     void checkRoom(double /*entries*/, PlyType) const {}
 
     // Whether nothing but blanks is left. Reads them.
-    bool isAtEnd() {
-        while (scanner_.nextWord().empty()) {
-            if (!scanner_.nextLine()) {
-                return true;
-            }
-        }
-        return false;
+    bool isAtEnd() { return scanner_.nextWordOverLines().empty(); }
+
+    // Ends the line of the last element. Returns the bytes behind it, from the first word on.
+    std::size_t finish() {
+        finishLine();
+        const std::string_view word = scanner_.wordOfLaterLine();
+        return word.empty() ? 0 : scanner_.bytesFrom(word);
     }
 
     // How many lines have more numbers than their element. They are ignored.
     std::uint64_t longLines() const { return longLines_; }
 
   private:
-    std::string_view wordOfLaterLine() {
-        while (scanner_.nextLine()) {
-            if (const std::string_view word = scanner_.nextWord(); !word.empty()) {
-                return word;
-            }
+    void finishLine() {
+        if (!scanner_.nextWord().empty()) {
+            ++longLines_;
         }
-        place_.refuse("the file ends here");
+    }
+
+    std::string_view wordOfLaterLine() {
+        const std::string_view word = scanner_.wordOfLaterLine();
+        if (word.empty()) {
+            place_.refuse("the file ends here");
+        }
+        return word;
     }
 
     [[noreturn]] std::string_view refuseLine() const { place_.refuse("the line ends here"); }
@@ -99,6 +102,9 @@ class PlyBinaryBody {
     PlyBinaryBody(std::string_view body, const PlyPlace& place) : rest_(body), place_(place) {}
 
     void beginElement() {}
+
+    // Returns the bytes behind the last element.
+    std::size_t finish() const { return rest_.size(); }
 
     double read(PlyType type) {
         switch (type) {
@@ -134,14 +140,7 @@ class PlyBinaryBody {
         if (rest_.size() < sizeof(Bits)) {
             place_.refuse("the file ends here");
         }
-        Bits value = 0;
-        if constexpr (order == std::endian::native) {
-            std::memcpy(&value, rest_.data(), sizeof value);
-        } else {
-            for (std::size_t i = 0; i < sizeof value; ++i) {
-                value = static_cast<Bits>(value << 8 | static_cast<unsigned char>(rest_[i]));
-            }
-        }
+        const auto value = storedNumber<Bits, order>(rest_.data());
         rest_.remove_prefix(sizeof value);
         return value;
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -21,23 +20,16 @@ constexpr std::size_t kFacetSize = 50; // normal, three positions, attribute
 constexpr std::size_t kPositionsOfFacet = 12;
 constexpr std::size_t kAttributeOfFacet = 48;
 
-std::string lowerCase(std::string_view word) {
-    std::string lower(word);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
-
 // The normals of facets are not read: they are those of the triangles.
 class StlTextReader {
   public:
-    StlTextReader(InputFile& file, std::string_view text) : file_(file), text_(text), scanner_(text) {}
+    StlTextReader(InputFile& file, std::string_view text) : file_(file), scanner_(text) {}
 
     PolygonMesh read() {
-        for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
+        for (std::string_view word = scanner_.nextWordOverLines(); !word.empty();
+             word = scanner_.nextWordOverLines()) {
             if (lowerCase(word) != "solid") {
-                const std::size_t begin = static_cast<std::size_t>(word.data() - text_.data());
-                file_.warn("STL: " + std::to_string(text_.size() - begin) +
+                file_.warn("STL: " + std::to_string(scanner_.bytesFrom(word)) +
                            " bytes after the last 'endsolid' are not read");
                 break;
             }
@@ -108,23 +100,12 @@ class StlTextReader {
 
     // Returns the next word of the file in lower case.
     std::optional<std::string> nextKeyword() {
-        const std::string_view word = nextWord();
+        const std::string_view word = scanner_.nextWordOverLines();
         return word.empty() ? std::nullopt : std::optional(lowerCase(word));
     }
 
-    std::string_view nextWord() {
-        while (true) {
-            if (const std::string_view word = scanner_.nextWord(); !word.empty()) {
-                return word;
-            }
-            if (!scanner_.nextLine()) {
-                return {};
-            }
-        }
-    }
-
     float readNumber() {
-        const std::string_view word = nextWord();
+        const std::string_view word = scanner_.nextWordOverLines();
         const std::optional<double> number = parseNumber(word);
         if (!number) {
             refuse(word.empty() ? "the file ends here" : inQuotes(word) + " is not a number");
@@ -138,7 +119,6 @@ class StlTextReader {
     }
 
     InputFile& file_;
-    std::string_view text_;
     TextScanner scanner_;
     PolygonMesh mesh_;
     std::uint64_t colors_ = 0;
@@ -231,13 +211,7 @@ MeshFile readBinary(const InputFile& file, std::string_view bytes, std::uint32_t
 }
 
 bool startsWithSolid(std::string_view bytes) {
-    TextScanner scanner(bytes.substr(0, kHeaderSize));
-    while (scanner.nextLine()) {
-        if (const std::string_view word = scanner.nextWord(); !word.empty()) {
-            return lowerCase(word) == "solid";
-        }
-    }
-    return false;
+    return lowerCase(TextScanner(bytes.substr(0, kHeaderSize)).wordOfLaterLine()) == "solid";
 }
 
 } // namespace

@@ -149,7 +149,7 @@ std::string inQuotes(std::string_view word) {
     return '\'' + std::string(word.substr(0, kMost)) + (word.size() > kMost ? "...'" : "'");
 }
 
-TextScanner::TextScanner(std::string_view text) : rest_(text) {
+TextScanner::TextScanner(std::string_view text, Comments comments) : comments_(comments), rest_(text) {
     if (constexpr std::string_view kMark = "\xef\xbb\xbf"; rest_.starts_with(kMark)) {
         rest_.remove_prefix(kMark.size());
     }
@@ -173,6 +173,9 @@ bool TextScanner::nextLine() {
     rest_.remove_prefix(line_.size());
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
     ++lineNumber_;
+    if (comments_ == Comments::cut) {
+        cutComment();
+    }
     return true;
 }
 
@@ -188,6 +191,20 @@ std::string_view TextScanner::nextWord() {
     }
     line_ = std::string_view(stop, static_cast<std::size_t>(end - stop));
     return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+std::string_view TextScanner::wordOfLaterLine() {
+    while (nextLine()) {
+        if (const std::string_view word = nextWord(); !word.empty()) {
+            return word;
+        }
+    }
+    return {};
+}
+
+std::string_view TextScanner::nextWordOverLines() {
+    const std::string_view word = nextWord();
+    return word.empty() ? wordOfLaterLine() : word;
 }
 
 std::string_view TextScanner::restOfLine() {

@@ -30,13 +30,21 @@ std::string inQuotes(std::string_view word);
 // mark before the first line is skipped.
 class TextScanner {
   public:
-    explicit TextScanner(std::string_view text);
+    enum class Comments { keep, cut };
+
+    explicit TextScanner(std::string_view text, Comments comments = Comments::keep);
 
     // Goes to the next line. Returns false where the text ends.
     bool nextLine();
 
     // Returns the next word of the line, or nothing where the line ends.
     std::string_view nextWord();
+
+    // Returns the first word of the next line that has one, or nothing where the text ends.
+    std::string_view wordOfLaterLine();
+
+    // Returns the next word of this line or of a later one, or nothing where the text ends.
+    std::string_view nextWordOverLines();
 
     // Returns what is left of the line, without blanks around it.
     std::string_view restOfLine();
@@ -49,7 +57,13 @@ class TextScanner {
     // What follows the line and its end.
     std::string_view rest() const { return rest_; }
 
+    // Returns the bytes from `word`, which this scanner has returned, to the end of the text.
+    std::size_t bytesFrom(std::string_view word) const {
+        return static_cast<std::size_t>(rest_.data() + rest_.size() - word.data());
+    }
+
   private:
+    Comments comments_;
     std::string_view rest_;
     std::string_view line_;
     const char* newline_ = nullptr; // the next \n, or where the text ends, as soon as it has been looked for
