@@ -117,7 +117,11 @@ TEST_F(Ply, BodyBeginsWithALineFeed) {
 TEST_F(Ply, TrailingBytes) {
     expectSquare(kSquare + "\n\n");
     expectSquare(binary(std::endian::little, kVertexElement + kFaceElement, squareBody(std::endian::little)) +
-                 std::string(92, '\0'));
+                     std::string(92, '\0'),
+                 {"PLY: 92 bytes after the last element are not read"});
+    expectSquare(kSquare + "0 1\n \n1 2 \n", {"PLY: 11 bytes after the last element are not read"});
+    expectSquare(kSquare.substr(0, kSquare.size() - 1) + " 7\n",
+                 {"PLY: 1 lines have more numbers than their elements; these are not read"});
     expectSquare(kSquare.substr(0, kSquare.size() - 1)); // no line feed at the end
 }
 
@@ -386,6 +390,46 @@ TEST_F(Ply, TextureNumbersChooseTheFile) {
     EXPECT_EQ(texel(0), glm::u8vec4(0, 0, 255, 255));
     EXPECT_EQ(texel(1), glm::u8vec4(255, 0, 0, 255));
     EXPECT_EQ(scene.triangleMaterial.at(2), kNoMaterial);
+}
+
+TEST_F(Ply, TexturesAreFoundBesideTheFile) {
+    writeFile(folder / "t.png", pngFile(1, 1, 3, {10, 20, 30}));
+    for (const char* name : {"C:\\Users\\me\\t.png", "/home/me/t.png", "textures/t.png", "\"t.png\""}) {
+        const Scene scene =
+            load("a.ply", ascii(std::string("comment TextureFile ") + name + '\n' + kVertexElement +
+                                    kFaceElement + "property list uchar float texcoord\n",
+                                kVertices + "4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"));
+        EXPECT_EQ(scene.images.at(0).bytes.at(0), glm::u8vec4(10, 20, 30, 255)) << name;
+    }
+}
+
+// Files whose work would grow with lines that no face needs.
+TEST_F(Ply, ManyTextureFiles) {
+    writeFile(folder / "red.png", pngFile(1, 1, 3, {255, 0, 0}));
+    writeFile(folder / "blue.png", pngFile(1, 1, 3, {0, 0, 255}));
+    const std::string elements = kVertexElement +
+                                 "element face 2\nproperty list uchar int vertex_indices\n"
+                                 "property list uchar float texcoord\nproperty int texnumber\n";
+    const auto body = [](int first, int second) {
+        return kVertices + "3 0 1 2 6 0 0 1 0 1 1 " + std::to_string(first) + "\n3 0 2 3 6 0 0 1 1 0 1 " +
+               std::to_string(second) + '\n';
+    };
+    std::string equal;
+    for (int i = 0; i < 2000; ++i) {
+        equal += "comment TextureFile red.png\ncomment TextureFile blue.png\n";
+    }
+    const Scene scene = load("a.ply", ascii(equal + elements, body(3998, 3999)));
+    EXPECT_EQ(scene.images.size(), 2u);
+    EXPECT_EQ(scene.materials.at(scene.triangleMaterial.at(0)).name, "red.png");
+    EXPECT_EQ(scene.materials.at(scene.triangleMaterial.at(1)).name, "blue.png");
+    std::string different = "comment TextureFile red.png\n";
+    for (int i = 0; i < 2000; ++i) {
+        different += "comment TextureFile " + std::to_string(i) + ".png\n";
+    }
+    const Scene many = load("a.ply", ascii(different + elements, body(0, 1500)),
+                            {"PLY: there are more than 1000 texture files; the others are not used"});
+    EXPECT_EQ(many.materials.at(many.triangleMaterial.at(0)).name, "red.png");
+    EXPECT_EQ(many.triangleMaterial.at(1), kNoMaterial);
 }
 
 TEST_F(Ply, TexturesThatCannotBeUsed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the files that an OBJ and its MTL name.
+// Finds the files that an OBJ, its MTL or a PLY names.
 #pragma once
 #include "metamarch/file/input_file.h"
 

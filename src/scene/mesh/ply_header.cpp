@@ -134,10 +134,7 @@ class HeaderReader {
 
     void readComment() {
         if (scanner_.nextWord() == "TextureFile") {
-            // The name may have been written by another system.
-            std::string name(scanner_.restOfLine());
-            std::ranges::replace(name, '\\', '/');
-            header_.textureFiles.push_back(std::move(name));
+            header_.textureFiles.emplace_back(scanner_.restOfLine());
         }
     }
 

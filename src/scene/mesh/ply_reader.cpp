@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/error/error.h"
 #include "metamarch/scene/instance_writer.h"
+#include "metamarch/scene/mesh/companion_name.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
+#include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/mesh/ply_body.h"
 #include "metamarch/scene/mesh/ply_header.h"
 #include "metamarch/scene/mesh/vertex_color.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 namespace metamarch {
 namespace {
@@ -128,8 +130,8 @@ struct Content {
     // The faces of the element `face` are one after another; `firstFace` is the first.
     std::size_t firstFace = 0;
     std::size_t faceCount = 0;
-    std::vector<std::uint32_t> grid;  // row by row: the vertex of each place, or kNoIndex
-    std::vector<std::string> skipped; // "3 'edge'"
+    std::vector<std::uint32_t> grid; // row by row: the vertex of each place, or kNoIndex
+    NameList skipped;                // "3 'edge'"
     std::uint64_t facesWithoutTexCoords = 0;
 };
 
@@ -359,7 +361,7 @@ class BodyReader {
                 skip(property);
             }
         });
-        content_.skipped.push_back(std::to_string(element.count) + ' ' + inQuotes(element.name));
+        content_.skipped.add(std::to_string(element.count) + ' ' + inQuotes(element.name));
     }
 
     void skip(const PlyProperty& property) {
@@ -389,11 +391,19 @@ class BodyReader {
     Content content_;
 };
 
+void warnOfTrailingBytes(InputFile& file, std::size_t bytes) {
+    if (bytes > 0) {
+        file.warn("PLY: " + std::to_string(bytes) + " bytes after the last element are not read");
+    }
+}
+
 template <std::endian order>
-Content readBinary(const InputFile& file, const PlyHeader& header) {
+Content readBinary(InputFile& file, const PlyHeader& header) {
     PlyPlace place(file);
     PlyBinaryBody<order> body(header.body, place);
-    return BodyReader(file, header, place, body).read();
+    Content content = BodyReader(file, header, place, body).read();
+    warnOfTrailingBytes(file, body.finish());
+    return content;
 }
 
 // The definition puts every element on a line of its own. Where the lines do not fit, the words may still do:
@@ -403,10 +413,12 @@ Content readText(InputFile& file, const PlyHeader& header) {
     try {
         PlyTextBody body(header.body, place, false);
         Content content = BodyReader(file, header, place, body).read();
+        const std::size_t trailingBytes = body.finish();
         if (body.longLines() > 0) {
             file.warn("PLY: " + std::to_string(body.longLines()) +
                       " lines have more numbers than their elements; these are not read");
         }
+        warnOfTrailingBytes(file, trailingBytes);
         return content;
     } catch (const Error& failure) {
         if (failure.kind != ErrorKind::inputRefused) {
@@ -494,13 +506,8 @@ void checkFaces(const InputFile& file, const PlyHeader& header, const PolygonMes
 }
 
 void warn(InputFile& file, const Content& content) {
-    constexpr std::size_t kMost = 8;
     if (!content.skipped.empty()) {
-        const std::size_t named = std::min(content.skipped.size(), kMost);
-        const std::span<const std::string> names(content.skipped.data(), named);
-        const std::string more =
-            named < content.skipped.size() ? fmt::format(" and {} more", content.skipped.size() - named) : "";
-        file.warn(fmt::format("PLY: elements are not read: {}{}", fmt::join(names, ", "), more));
+        file.warn("PLY: elements are not read: " + content.skipped.text());
     }
     if (content.facesWithoutTexCoords > 0) {
         file.warn("PLY: " + std::to_string(content.facesWithoutTexCoords) +
@@ -518,7 +525,22 @@ void addTextures(InputFile& file, const PlyHeader& header, Content& content, Mes
                   inQuotes(header.textureFiles[0]) + " is not used");
         return;
     }
-    for (const std::string& name : header.textureFiles) {
+    constexpr std::size_t kMostTextures = 1000; // each is looked for in several places
+    std::vector<std::uint32_t> materialOfNumber;
+    std::unordered_map<std::string, std::uint32_t> materialOfName;
+    for (const std::string& given : header.textureFiles) {
+        if (const auto found = materialOfName.find(given); found != materialOfName.end()) {
+            materialOfNumber.push_back(found->second);
+            continue;
+        }
+        if (materialOfName.size() == kMostTextures) {
+            file.warn("PLY: there are more than " + std::to_string(kMostTextures) +
+                      " texture files; the others are not used");
+            break;
+        }
+        materialOfNumber.push_back(static_cast<std::uint32_t>(result.materials.size()));
+        materialOfName.emplace(given, materialOfNumber.back());
+        const std::string name = companionName(file, "", given);
         Material material = paintedMaterial({});
         material.baseColorTexture.texture = static_cast<std::uint32_t>(result.textures.size());
         material.baseColorTexture.isSrgb = true;
@@ -528,8 +550,11 @@ void addTextures(InputFile& file, const PlyHeader& header, Content& content, Mes
         result.textureSources.push_back(fileSource(file, name));
     }
     mesh.faceMaterial.assign(mesh.faceEnd.size(), content.textureOfFace.empty() ? 0 : kNoIndex);
-    std::ranges::copy(content.textureOfFace,
-                      mesh.faceMaterial.begin() + static_cast<std::ptrdiff_t>(content.firstFace));
+    std::ranges::transform(content.textureOfFace,
+                           mesh.faceMaterial.begin() + static_cast<std::ptrdiff_t>(content.firstFace),
+                           [&](std::uint32_t number) {
+                               return number < materialOfNumber.size() ? materialOfNumber[number] : kNoIndex;
+                           });
     if (const auto without = std::ranges::count(content.textureOfFace, kNoIndex); without > 0) {
         file.warn("PLY: " + std::to_string(without) + " faces have a texture number without a file");
     }
