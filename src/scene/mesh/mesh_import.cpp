@@ -6,10 +6,12 @@
 #include "metamarch/scene/mesh/mesh_reader.h"
 #include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/mesh/triangulate.h"
+#include "metamarch/scene/mesh/vertex_color.h"
 #include "metamarch/scene/mesh/vertex_join.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -50,6 +52,7 @@ class MeshImporter {
     Scene import() {
         scene_.materials = std::move(source_.materials);
         scene_.textures = std::move(source_.textures);
+        paintFaces();
         divideFaces();
         warnOfFaces(&Part::facesBelowThreeCorners, "with fewer than three corners", "not rendered");
         warnOfFaces(&Part::facesOutOfWork, "with very many corners",
@@ -70,6 +73,22 @@ class MeshImporter {
     }
 
   private:
+    // Colours multiply the base colour, which is white where faces have no material.
+    void paintFaces() {
+        if (mesh_.colors.empty()) {
+            return;
+        }
+        if (mesh_.faceMaterial.empty()) {
+            mesh_.faceMaterial.assign(mesh_.faceEnd.size(), kNoIndex);
+        }
+        if (std::ranges::find(mesh_.faceMaterial, kNoIndex) == mesh_.faceMaterial.end()) {
+            return;
+        }
+        std::ranges::replace(mesh_.faceMaterial, kNoIndex,
+                             static_cast<std::uint32_t>(scene_.materials.size()));
+        scene_.materials.push_back(paintedMaterial(mesh_.colors));
+    }
+
     // Divides every face into triangles and puts these into their groups.
     void divideFaces() {
         parts_.resize(std::max<std::size_t>(mesh_.partNames.size(), 1));

@@ -300,7 +300,6 @@ class ObjReader {
         for (std::uint32_t& material : mesh().faceMaterial) {
             material = material == kNoIndex ? kNoIndex : materialOf[material];
         }
-        paintFaces();
     }
 
     // A library that is missing may have been renamed with the OBJ.
@@ -326,17 +325,6 @@ class ObjReader {
             return;
         }
         library.read(file_, name, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    }
-
-    // Vertex colours multiply the base colour, which is white where faces have no material.
-    void paintFaces() {
-        if (mesh().colors.empty() ||
-            std::ranges::find(mesh().faceMaterial, kNoIndex) == mesh().faceMaterial.end()) {
-            return;
-        }
-        std::ranges::replace(mesh().faceMaterial, kNoIndex,
-                             static_cast<std::uint32_t>(result_.materials.size()));
-        result_.materials.push_back(paintedMaterial(mesh().colors));
     }
 
     void warnOfSkipped() {

@@ -108,8 +108,6 @@ class OffMesh {
             }
             colors.setFractions(areFractions || colors.largest() <= 1.0f);
             mesh_.colors = colors.decoded();
-            mesh_.faceMaterial.assign(mesh_.faceEnd.size(), 0);
-            result.materials.push_back(paintedMaterial(mesh_.colors));
         }
         result.polygons = std::move(mesh_);
         return result;

@@ -583,8 +583,6 @@ void addColors(InputFile& file, Content& content, MeshFile& result) {
                       static_cast<std::uint32_t>(i));
         }
     }
-    mesh.faceMaterial.assign(mesh.faceEnd.size(), 0);
-    result.materials.push_back(paintedMaterial(mesh.colors));
 }
 
 } // namespace

@@ -242,10 +242,6 @@ MeshFile readStl(InputFile& file, std::string_view bytes) {
     } else {
         file.refuse("not STL: neither binary nor a text that starts with 'solid'");
     }
-    if (!result.polygons.colors.empty()) {
-        result.materials.push_back(paintedMaterial(result.polygons.colors));
-        result.polygons.faceMaterial.assign(result.polygons.faceEnd.size(), 0);
-    }
     result.repeatsPositions = true;
     return result;
 }
