@@ -36,7 +36,8 @@ class TraversalTest(ViewerTest):
 
     def views(self):
         """The names of the views in the order of the menu; --help lists them."""
-        listing = re.search(r"--view (\S.*?)\n", self.succeed("view", "--help")).group(1)
+        # The list may go on in further lines; the option's help follows it.
+        listing = re.search(r"--view (\S.*?)\n +What the window", self.succeed("view", "--help"), re.DOTALL).group(1)
         return [" ".join(name.split()) for name in listing.split("|")]
 
     def test_views(self):
