@@ -21,7 +21,7 @@ class BenchOptions {
 
     bench::Protocol protocol() const { return {repeat, seconds}; }
 
-    // Of rows measured now, with these options.
+    // Returns the origin of rows that are measured now, with these options.
     bench::Origin originOf(const std::string& device, const std::string& driver) const;
 
     glm::uvec2 size{320, 240};

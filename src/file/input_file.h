@@ -53,7 +53,7 @@ class InputFile {
 // Returns nothing if the file cannot be read completely; errno then says why.
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path);
 
-// Of the letters of ASCII.
+// Changes ASCII letters only.
 std::string lowerCase(std::string_view text);
 
 // Returns ".png" for "wood.PNG"; empty if the name has no ending.

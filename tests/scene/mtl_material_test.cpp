@@ -259,7 +259,7 @@ TEST_F(MtlMaterial, WarningsNameManyMaterialsInOneLine) {
              "whose options hold for both"}));
 }
 
-// Of many materials that share a colour map, each with a mask of its own.
+// Many materials share a colour map; each has a mask of its own.
 TEST_F(MtlMaterial, EqualPicturesAreOne) {
     writePng("a.png", 1, 3, {10, 20, 30});
     std::string library;

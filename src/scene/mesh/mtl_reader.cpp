@@ -257,7 +257,7 @@ class LibraryReader {
         return true;
     }
 
-    // Of one to three numbers the second and the third may be missing.
+    // Reads one to three numbers.
     void readVector(const std::string& option, std::string_view& rest, MtlMap& map) {
         glm::vec2 value(option == "-s" ? 1.0f : 0.0f);
         for (int i = 0; i < 3; ++i) {

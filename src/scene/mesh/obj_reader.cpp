@@ -22,8 +22,8 @@ constexpr auto kFreeForm = std::to_array<std::string_view>(
     {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
      "scrv",   "sp",  "end",  "con",  "vp",   "bsp",   "bzp",  "cdc",  "cdp",  "res"});
 
-// Of no use to a path tracer: smoothing groups, as normals are given or are the triangles', merging groups
-// and settings of other renderers.
+// A path tracer has no use for smoothing groups (normals are given or are the triangles'), merging groups and
+// settings of other renderers.
 constexpr auto kIgnored = std::to_array<std::string_view>(
     {"s", "mg", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech"});
 

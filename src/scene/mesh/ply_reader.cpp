@@ -43,13 +43,8 @@ struct SlotName {
     Slot slot;
 };
 
-constexpr auto kVertexSlots = std::to_array<SlotName>({
-    {"x", kX},
-    {"y", kY},
-    {"z", kZ},
-    {"nx", kNormalX},
-    {"ny", kNormalY},
-    {"nz", kNormalZ},
+// The names of colours, for vertices and faces.
+constexpr auto kColorSlots = std::to_array<SlotName>({
     {"red", kRed},
     {"green", kGreen},
     {"blue", kBlue},
@@ -57,6 +52,15 @@ constexpr auto kVertexSlots = std::to_array<SlotName>({
     {"diffuse_red", kRed},
     {"diffuse_green", kGreen},
     {"diffuse_blue", kBlue},
+});
+
+constexpr auto kVertexSlots = std::to_array<SlotName>({
+    {"x", kX},
+    {"y", kY},
+    {"z", kZ},
+    {"nx", kNormalX},
+    {"ny", kNormalY},
+    {"nz", kNormalZ},
     {"r", kRed},
     {"g", kGreen},
     {"b", kBlue},
@@ -70,13 +74,6 @@ constexpr auto kVertexSlots = std::to_array<SlotName>({
 });
 
 constexpr auto kFaceSlots = std::to_array<SlotName>({
-    {"red", kRed},
-    {"green", kGreen},
-    {"blue", kBlue},
-    {"alpha", kAlpha},
-    {"diffuse_red", kRed},
-    {"diffuse_green", kGreen},
-    {"diffuse_blue", kBlue},
     {"texnumber", kTextureNumber},
 });
 
@@ -87,13 +84,13 @@ class Slots {
         : of_(element.properties.size(), kNoSlot) {
         for (std::size_t i = 0; i < of_.size(); ++i) {
             const PlyProperty& property = element.properties[i];
-            const auto found = std::ranges::find(names, property.name, &SlotName::name);
-            if (property.countType || found == names.end() || has_[found->slot]) {
+            const std::size_t slot = std::min(slotOf(names, property), slotOf(kColorSlots, property));
+            if (slot == kNoSlot || has_[slot]) {
                 continue;
             }
-            of_[i] = found->slot;
-            has_[found->slot] = true;
-            areFractions_ = areFractions_ || (found->slot == kRed && isFraction(property.type));
+            of_[i] = slot;
+            has_[slot] = true;
+            areFractions_ = areFractions_ || (slot == kRed && isFraction(property.type));
         }
     }
 
@@ -105,6 +102,12 @@ class Slots {
     bool colorsAreFractions() const { return areFractions_; }
 
   private:
+    // Returns kNoSlot, the largest, for a list and for a name that is not there.
+    static std::size_t slotOf(std::span<const SlotName> names, const PlyProperty& property) {
+        const auto found = std::ranges::find(names, property.name, &SlotName::name);
+        return property.countType || found == names.end() ? kNoSlot : found->slot;
+    }
+
     std::vector<std::size_t> of_;
     std::array<bool, kSlotCount> has_{};
     bool areFractions_ = false;
