@@ -60,6 +60,28 @@ class Structures : public testing::TestWithParam<NamedScene> {
         return {toLattice(lattice, triangle.v0), toLattice(lattice, triangle.v1),
                 toLattice(lattice, triangle.v2)};
     }
+
+    // Calls visit(rope, first, last) for each face of each leaf, with the first and the last cell behind it.
+    // Stops at the first failure.
+    template <class Visit>
+    void forEachFace(const Visit& visit) const {
+        const std::vector<std::uint32_t>& ropes = structures.kdRopes();
+        for (std::uint32_t leafId = 0; leafId < structure.tree.leaves.size(); ++leafId) {
+            const ivec3 lo = unpackCell(structure.tree.leaves[leafId].lo);
+            const ivec3 hi = unpackCell(structure.tree.leaves[leafId].hi);
+            for (int axis = 0; axis < 3; ++axis) {
+                for (const int outside : {lo[axis] - 1, hi[axis]}) {
+                    ivec3 first = lo;
+                    ivec3 last = hi - 1;
+                    first[axis] = last[axis] = outside;
+                    visit(ropes[ropeTowards(leafId, first, lo, hi)], first, last);
+                    if (HasFatalFailure()) {
+                        return;
+                    }
+                }
+            }
+        }
+    }
 };
 
 TEST_P(Structures, holdTheNonDegenerateTriangles) {
@@ -170,52 +192,31 @@ TEST_P(Structures, gridCellsListTheirTriangles) {
 // One step out of every cell at a leaf's face, the rope's node contains the leaf that the table has there.
 TEST_P(Structures, ropesLeadToTheNeighbours) {
     const KdTree& tree = structure.tree;
-    const std::vector<std::uint32_t>& ropes = structures.kdRopes();
-    for (std::uint32_t leafId = 0; leafId < tree.leaves.size(); ++leafId) {
-        const ivec3 lo = unpackCell(tree.leaves[leafId].lo);
-        const ivec3 hi = unpackCell(tree.leaves[leafId].hi);
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int outside : {lo[axis] - 1, hi[axis]}) {
-                for (const ivec3& corner : {lo, hi - 1}) {
-                    ivec3 cell = corner;
-                    cell[axis] = outside;
-                    std::uint32_t nodeId = ropes[ropeTowards(leafId, cell, lo, hi)];
-                    ASSERT_EQ(nodeId != kNoRope, isInLattice(cell, lattice.resolution));
-                    if (nodeId == kNoRope) {
-                        continue;
-                    }
-                    while (!isLeaf(tree.nodes[nodeId])) {
-                        nodeId = childWithCell(nodeId, tree.nodes[nodeId], cell);
-                    }
-                    ASSERT_EQ(leafOf(tree.nodes[nodeId]), structure.table.leafAt(cell));
-                }
+    forEachFace([&](std::uint32_t nodeId, const ivec3& first, const ivec3& last) {
+        for (const ivec3& cell : {first, last}) {
+            ASSERT_EQ(nodeId != kNoRope, isInLattice(cell, lattice.resolution));
+            if (nodeId == kNoRope) {
+                continue;
             }
+            std::uint32_t below = nodeId;
+            while (!isLeaf(tree.nodes[below])) {
+                below = childWithCell(below, tree.nodes[below], cell);
+            }
+            ASSERT_EQ(leafOf(tree.nodes[below]), structure.table.leafAt(cell));
         }
-    }
+    });
 }
 
 // No child of a rope's node holds all that is behind the face: the face's first and last cell are in
 // different ones.
 TEST_P(Structures, ropesLeadToTheSmallestNode) {
     const KdTree& tree = structure.tree;
-    const std::vector<std::uint32_t>& ropes = structures.kdRopes();
-    for (std::uint32_t leafId = 0; leafId < tree.leaves.size(); ++leafId) {
-        const ivec3 lo = unpackCell(tree.leaves[leafId].lo);
-        const ivec3 hi = unpackCell(tree.leaves[leafId].hi);
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int outside : {lo[axis] - 1, hi[axis]}) {
-                ivec3 first = lo;
-                ivec3 last = hi - 1;
-                first[axis] = outside;
-                last[axis] = outside;
-                const std::uint32_t nodeId = ropes[ropeTowards(leafId, first, lo, hi)];
-                if (nodeId != kNoRope && !isLeaf(tree.nodes[nodeId])) {
-                    ASSERT_NE(childWithCell(nodeId, tree.nodes[nodeId], first),
-                              childWithCell(nodeId, tree.nodes[nodeId], last));
-                }
-            }
+    forEachFace([&](std::uint32_t nodeId, const ivec3& first, const ivec3& last) {
+        if (nodeId != kNoRope && !isLeaf(tree.nodes[nodeId])) {
+            ASSERT_NE(childWithCell(nodeId, tree.nodes[nodeId], first),
+                      childWithCell(nodeId, tree.nodes[nodeId], last));
         }
-    }
+    });
 }
 
 TEST_P(Structures, parentsHoldTheirChildren) {
