@@ -226,8 +226,8 @@ class TangentSpace {
             const TangentCorner& c = at(index, corner);
             const glm::vec3 before = inPlane(at(index, (corner + 2) % 3).position - c.position, c.normal);
             const glm::vec3 after = inPlane(at(index, (corner + 1) % 3).position - c.position, c.normal);
-            const float cosine = std::clamp(glm::dot(before, after), -1.0f, 1.0f);
-            sum += inPlane(face.alongS, c.normal) * std::acos(cosine);
+            const double cosine = std::clamp(glm::dot(before, after), -1.0f, 1.0f);
+            sum += inPlane(face.alongS, c.normal) * static_cast<float>(std::acos(cosine));
         }
         glm::vec3 tangent = normalized(sum);
         if (!(glm::dot(tangent, tangent) > 0.0f)) { // zero or NaN

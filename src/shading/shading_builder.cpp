@@ -20,8 +20,8 @@ glm::vec3 absorptionOf(const Material& material) {
     if (material.thicknessFactor == 0.0f || !(material.attenuationDistance < 1e30f)) {
         return glm::vec3(0.0f);
     }
-    return -glm::log(glm::max(material.attenuationColor, glm::vec3(kLeastColor))) /
-           material.attenuationDistance;
+    const glm::dvec3 left(glm::max(material.attenuationColor, glm::vec3(kLeastColor)));
+    return glm::vec3(-glm::log(left) / static_cast<double>(material.attenuationDistance));
 }
 
 std::uint32_t flagsOf(const Material& material, const ShadingOptions& options) {

@@ -14,7 +14,7 @@ namespace metamarch {
 namespace {
 
 // Returns half the height of a perspective camera's picture at distance 1.
-float halfHeight(const float verticalFov) { return std::tan(0.5f * verticalFov); }
+float halfHeight(const double verticalFov) { return static_cast<float>(std::tan(0.5 * verticalFov)); }
 
 void checkLens(const CameraOptions& options) {
     const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };

@@ -36,8 +36,8 @@ bool isEncoded(const Image& image) {
 }
 
 // The inverse of IEC 61966-2-1's transfer curve.
-float decoded(float value) {
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+float decoded(const double value) {
+    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
 }
 
 [[noreturn]] void refuseTexel(const Environment& environment, std::size_t index,

@@ -41,8 +41,10 @@ LightRecord recordOf(const PunctualLight& light) {
     case PunctualLight::Type::spot: {
         record.kind = kLightSpot;
         record.direction = light.direction;
+        const double inner = light.innerConeAngle;
+        const double outer = light.outerConeAngle;
         const glm::vec2 falloff =
-            makeSpotFalloff(std::cos(light.innerConeAngle), std::cos(light.outerConeAngle));
+            makeSpotFalloff(static_cast<float>(std::cos(inner)), static_cast<float>(std::cos(outer)));
         record.scale = falloff.x;
         record.offset = falloff.y;
         break;
@@ -132,8 +134,9 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
     const double radius = scene.triangles.empty() ? 1.0 : 0.5 * glm::distance(bounds.lo, bounds.hi);
     PathSettings& settings = target.settings;
     settings.background = surroundings.background;
-    settings.environmentCosine = std::cos(surroundings.rotation);
-    settings.environmentSine = std::sin(surroundings.rotation);
+    const double rotation = surroundings.rotation;
+    settings.environmentCosine = static_cast<float>(std::cos(rotation));
+    settings.environmentSine = static_cast<float>(std::sin(rotation));
     settings.environmentScale = surroundings.intensity;
     settings.sunIndex = kNoSun;
 

@@ -222,13 +222,14 @@ dvec3 SightLines::scattered(const double sunCosine) const {
 } // namespace
 
 Sky makeSky(const SkySettings& settings) {
-    const double level = std::cos(settings.sunElevation);
-    const dvec3 sun(level * std::cos(settings.sunAzimuth), std::sin(settings.sunElevation),
-                    level * std::sin(settings.sunAzimuth));
+    const double elevation = settings.sunElevation;
+    const double sunAzimuth = settings.sunAzimuth;
+    const double level = std::cos(elevation);
+    const dvec3 sun(level * std::cos(sunAzimuth), std::sin(elevation), level * std::sin(sunAzimuth));
     // Where a line of sight leaves the air, the vertical has turned by this angle at most.
     const double turned =
         std::acos(kGroundRadius / kTopRadius) + std::acos(kGroundRadius / (kGroundRadius + kEyeHeight));
-    const double zenith = M_PI / 2.0 - settings.sunElevation;
+    const double zenith = M_PI / 2.0 - elevation;
     const Atmosphere atmosphere(settings.haze, std::cos(std::min(zenith + turned, M_PI)),
                                 std::cos(std::max(zenith - turned, 0.0)));
     const dvec3 sunlight = atmosphere.transmittance(atmosphere.rowOf(kEyeHeight), sun.y) * kSunIrradiance;
