@@ -74,7 +74,7 @@ std::string shortened(const std::string& text) {
 
 } // namespace
 
-InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
+InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)), files_{path_} {
     std::error_code failure;
     const std::filesystem::file_status status = std::filesystem::status(path_, failure);
     if (status.type() == std::filesystem::file_type::not_found) {

@@ -30,6 +30,10 @@ class InputFile {
     std::string whyNotReadable(const std::string& name) const;
     std::string portableName(const std::string& name) const;
 
+    // Adds a file that this one names to files(), which begins with this one.
+    void addCompanion(const std::string& name) { files_.push_back(companion(name)); }
+    const std::vector<std::filesystem::path>& files() const { return files_; }
+
     // Both throw "<path>: <what>": refuse() as Error(inputRefused), with the names of settings that the user
     // may change, refuseSize() as Error(outOfMemory). In every message, names and values from the file are
     // cut at kMostQuoted characters: they may be whole payloads.
@@ -46,6 +50,7 @@ class InputFile {
 
     std::filesystem::path path_;
     std::filesystem::path folder_; // canonical
+    std::vector<std::filesystem::path> files_;
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> warned_;
 };

@@ -33,6 +33,7 @@ Scene loadScene(const std::filesystem::path& path, const ImportOptions& options)
     }
     try {
         Scene scene = import(file, options);
+        scene.files = file.files();
         scene.warnings = file.takeWarnings();
         return scene;
     } catch (const Error&) {

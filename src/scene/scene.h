@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,8 @@ struct Scene {
     std::vector<std::string> variants;      // valid names for ImportOptions::variant, in file order
     std::vector<SceneAnimation> animations; // of the file, whichever poses the scene
 
+    std::vector<std::filesystem::path>
+        files;                         // its own, and those that it names: buffers, textures, materials
     std::vector<std::string> warnings; // one line each, for the user
 
     // When the last animation ends; 0 if nothing moves.

@@ -29,11 +29,12 @@ std::vector<unsigned char> dataOf(const GltfElement& buffer, const std::string& 
     return std::move(*bytes);
 }
 
-std::filesystem::path pathOf(const InputFile& file, const GltfElement& buffer, const std::string& uri) {
+std::filesystem::path pathOf(InputFile& file, const GltfElement& buffer, const std::string& uri) {
     const std::string name = file.portableName(fileNameOfUri(uri));
     if (const std::string reason = file.whyNotReadable(name); !reason.empty()) {
         buffer.refuse('\'' + name + "' " + reason);
     }
+    file.addCompanion(name);
     return std::filesystem::canonical(file.companion(name));
 }
 

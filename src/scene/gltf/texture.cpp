@@ -62,10 +62,10 @@ Texture readSampler(const GltfElement& sampler) {
     return texture;
 }
 
-TextureSource readImage(const GltfDocument& document, const InputFile& file, const GltfElement& image) {
+EncodedImage readImage(const GltfDocument& document, InputFile& file, const GltfElement& image) {
     const std::string uri = image.text("uri");
     if (!uri.empty() && !isDataUri(uri)) {
-        return fileSource(file, fileNameOfUri(uri));
+        return imageFile(file, fileNameOfUri(uri));
     }
     const std::optional<int> view = image.integer("bufferView");
     const std::string& label = image.label();
@@ -101,8 +101,8 @@ std::optional<int> sourceOf(const GltfElement& texture, std::size_t images) {
     return texture.index("source", "image", images);
 }
 
-// Returns a source whose failure names the extensions that have the texture's image.
-TextureSource noSource(const GltfElement& texture) {
+// Returns an image whose failure names the extensions that have the texture's image.
+EncodedImage noImage(const GltfElement& texture) {
     std::vector<std::string> extensions;
     for (const char* name : undecodedImageExtensions()) {
         if (texture.extension(name)) {
@@ -138,10 +138,10 @@ void glossinessToRoughness(TextureImage& image, float glossiness) {
 
 } // namespace
 
-GltfTextures::GltfTextures(const GltfDocument& document, const InputFile& file) {
+GltfTextures::GltfTextures(const GltfDocument& document, InputFile& file) {
     const GltfElement root(file, "", &document.json);
     for (const GltfElement& image : root.objects("images", "image")) {
-        sources_.push_back(readImage(document, file, image));
+        sources_.push_back({readImage(document, file, image)});
     }
     const std::size_t images = sources_.size();
     const std::vector<GltfElement> samplers = root.objects("samplers", "sampler");
@@ -154,7 +154,7 @@ GltfTextures::GltfTextures(const GltfDocument& document, const InputFile& file) 
         texture.image =
             static_cast<std::uint32_t>(image ? static_cast<std::size_t>(*image) : sources_.size());
         if (!image) {
-            sources_.push_back(noSource(source));
+            sources_.push_back({noImage(source)});
         }
         textures_.push_back(texture);
     }

@@ -16,7 +16,7 @@ class GltfTextures {
   public:
     // Throws Error(inputRefused) for samplers and images that do not exist and for unknown filters and wrap
     // modes. `document` and `file` must outlive this object and its sources.
-    GltfTextures(const GltfDocument& document, const InputFile& file);
+    GltfTextures(const GltfDocument& document, InputFile& file);
 
     // Both are in the file's order, except that the sources of textures without a readable image, and what
     // roughnessRef made, come last.

@@ -86,7 +86,7 @@ class MeshImporter {
         }
         std::ranges::replace(mesh_.faceMaterial, kNoIndex,
                              static_cast<std::uint32_t>(scene_.materials.size()));
-        scene_.materials.push_back(paintedMaterial(mesh_.colors));
+        scene_.materials.push_back(vertexColorMaterial(mesh_.colors));
     }
 
     // Divides every face into triangles and puts these into their groups.

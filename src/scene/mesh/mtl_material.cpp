@@ -22,12 +22,13 @@ constexpr float kMost = std::numeric_limits<float>::max();
 
 float unit(float value) { return std::clamp(value, 0.0f, 1.0f); }
 
-// A map without its number has factor 1. A gain of the map multiplies it.
+// A map without its number has factor 1. The map's own factor multiplies it.
 float factor(const std::optional<float>& number, const MtlMap& map) {
-    return unit(number.value_or(map.isGiven() ? 1.0f : 0.0f) * map.gain);
+    return unit(number.value_or(map.isGiven() ? 1.0f : 0.0f) * map.valueFactor);
 }
 glm::vec3 factor(const std::optional<glm::vec3>& color, const MtlMap& map, float without) {
-    return glm::max(color.value_or(glm::vec3(map.isGiven() ? 1.0f : without)) * map.gain, glm::vec3(0.0f));
+    return glm::max(color.value_or(glm::vec3(map.isGiven() ? 1.0f : without)) * map.valueFactor,
+                    glm::vec3(0.0f));
 }
 
 void readEmission(const MtlMaterial& source, Material& material) {
@@ -44,7 +45,7 @@ void readReflection(const MtlMaterial& source, Material& material) {
         source.roughness || source.metallic || source.roughnessMap.isGiven() || source.metallicMap.isGiven();
     material.metallicFactor = factor(source.metallic, source.metallicMap);
     if (isPhysical) {
-        material.roughnessFactor = unit(source.roughness.value_or(1.0f) * source.roughnessMap.gain);
+        material.roughnessFactor = unit(source.roughness.value_or(1.0f) * source.roughnessMap.valueFactor);
         return;
     }
     const float exponent = std::max(source.exponent.value_or(0.0f), 0.0f);
@@ -78,10 +79,10 @@ constexpr int kAlpha = 3;
 
 // Equal for sources that make the same picture. No name of a library has the end of a line in it.
 std::string keyOf(const TextureSource& source) {
-    std::string key =
-        source.name + (source.read == nullptr ? "\nwhite" : "\n") + (source.edit == nullptr ? "" : "edited");
+    std::string key = source.image.name + (source.image.read == nullptr ? "\nwhite" : "\n") +
+                      (source.edit == nullptr ? "" : "edited");
     for (const TextureOverlay& overlay : source.overlays) {
-        key += '\n' + overlay.source.name + '\n' + std::to_string(overlay.channel) + ' ' +
+        key += '\n' + overlay.image.name + '\n' + std::to_string(overlay.channel) + ' ' +
                std::to_string(overlay.from);
     }
     return key;
@@ -127,7 +128,7 @@ void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
     if (opacity == 0.0f) {
         invisible_.add(source.name);
     }
-    material.baseColorFactor.a = unit(opacity * source.opacityMap.gain);
+    material.baseColorFactor.a = unit(opacity * source.opacityMap.valueFactor);
     if (opacity < 1.0f || source.opacityMap.isGiven()) {
         material.alphaMode = AlphaMode::blend;
     }
@@ -135,7 +136,7 @@ void MtlTextures::readOpacity(const MtlMaterial& source, Material& material) {
 
 void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
     if (source.diffuseMap.isGiven()) {
-        TextureSource image = sourceOf(source.diffuseMap);
+        TextureSource image{imageOf(source.diffuseMap)};
         if (source.opacityMap.isGiven()) {
             image.overlays.push_back(overlayOf(source.opacityMap, kAlpha));
             noteUnlessSameUse(source.opacityMap, source.diffuseMap);
@@ -145,10 +146,10 @@ void MtlTextures::readColorMaps(const MtlMaterial& source, Material& material) {
         material.baseColorTexture = add(source.opacityMap, greySource(source.opacityMap, {kAlpha}), false);
     }
     if (source.specularMap.isGiven() && material.specularFactor > 0.0f) {
-        material.specularColorTexture = add(source.specularMap, sourceOf(source.specularMap), true);
+        material.specularColorTexture = add(source.specularMap, {imageOf(source.specularMap)}, true);
     }
     if (source.emissionMap.isGiven()) {
-        material.emissiveTexture = add(source.emissionMap, sourceOf(source.emissionMap), true);
+        material.emissiveTexture = add(source.emissionMap, {imageOf(source.emissionMap)}, true);
     }
 }
 
@@ -179,17 +180,17 @@ void MtlTextures::readPhysicalMaps(const MtlMaterial& source, Material& material
 
 void MtlTextures::readNormalMaps(const MtlMaterial& source, Material& material) {
     if (source.normalMap.isGiven()) {
-        material.normalTexture = add(source.normalMap, sourceOf(source.normalMap), false);
+        material.normalTexture = add(source.normalMap, {imageOf(source.normalMap)}, false);
         material.normalScale = source.normalMap.bumpMultiplier;
         if (source.bumpMap.isGiven()) {
             withoutBumpMap_.add(source.name);
         }
     } else if (source.bumpMap.isGiven()) {
-        TextureSource image =
-            source.bumpMap.channel == '\0' ? sourceOf(source.bumpMap) : greySource(source.bumpMap, {0, 1, 2});
+        TextureSource image = source.bumpMap.channel == '\0' ? TextureSource{imageOf(source.bumpMap)}
+                                                             : greySource(source.bumpMap, {0, 1, 2});
         image.edit = heightsToNormals;
         material.normalTexture = add(source.bumpMap, std::move(image), false);
-        material.normalScale = source.bumpMap.bumpMultiplier * source.bumpMap.gain;
+        material.normalScale = source.bumpMap.bumpMultiplier * source.bumpMap.valueFactor;
     }
 }
 
@@ -214,10 +215,10 @@ void MtlTextures::warn() {
 }
 
 // Many materials use the same map, and each look-up of a name asks the file system several times.
-const TextureSource& MtlTextures::sourceOf(const MtlMap& map) {
-    const auto [found, isNew] = sourceOfName_.try_emplace(map.folder + '\n' + map.name);
+const EncodedImage& MtlTextures::imageOf(const MtlMap& map) {
+    const auto [found, isNew] = imageOfName_.try_emplace(map.folder + '\n' + map.name);
     if (isNew) {
-        found->second = fileSource(file_, companionName(file_, map.folder, map.name));
+        found->second = imageFile(file_, companionName(file_, map.folder, map.name));
     }
     return found->second;
 }
@@ -225,17 +226,17 @@ const TextureSource& MtlTextures::sourceOf(const MtlMap& map) {
 // A mask is the alpha of its picture where it has one.
 TextureOverlay MtlTextures::overlayOf(const MtlMap& map, int channel) {
     const int byItself = channel == kAlpha ? TextureOverlay::kAlphaOrRed : 0;
-    return {sourceOf(map), channel, channelOf(map.channel).value_or(byItself)};
+    return {imageOf(map), channel, channelOf(map.channel).value_or(byItself)};
 }
 
 // A white picture whose `channels` are the map.
 TextureSource MtlTextures::greySource(const MtlMap& map, std::initializer_list<int> channels) {
-    TextureSource image = sourceOf(map);
-    image.read = nullptr;
+    TextureSource source{imageOf(map)};
+    source.image.read = nullptr;
     for (const int channel : channels) {
-        image.overlays.push_back(overlayOf(map, channel));
+        source.overlays.push_back(overlayOf(map, channel));
     }
-    return image;
+    return source;
 }
 
 // Reuses an earlier source that makes the same picture.

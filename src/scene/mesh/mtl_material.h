@@ -50,7 +50,7 @@ class MtlTextures {
     void readPhysicalMaps(const MtlMaterial& source, Material& material);
     void readNormalMaps(const MtlMaterial& source, Material& material);
     void noteUnlessSameUse(const MtlMap& map, const MtlMap& shared);
-    const TextureSource& sourceOf(const MtlMap& map);
+    const EncodedImage& imageOf(const MtlMap& map);
     TextureOverlay overlayOf(const MtlMap& map, int channel);
     TextureSource greySource(const MtlMap& map, std::initializer_list<int> channels);
     TextureRef add(const MtlMap& map, TextureSource source, bool isSrgb);
@@ -60,7 +60,7 @@ class MtlTextures {
     std::vector<TextureSource> sources_;
     std::unordered_map<std::string, std::uint32_t>
         pictures_; // index into sources_ by all that makes a picture
-    std::unordered_map<std::string, TextureSource> sourceOfName_; // by folder and name in the library
+    std::unordered_map<std::string, EncodedImage> imageOfName_; // by folder and name in the library
     NameList madeOpaque_;
     NameList invisible_;
     NameList withoutBumpMap_;

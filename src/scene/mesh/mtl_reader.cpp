@@ -234,7 +234,7 @@ class LibraryReader {
             readVector(option, after, map);
         } else if (option == "-mm") {
             const std::optional<float> base = takeNumber(after);
-            map.gain = takeNumber(after).value_or(1.0f);
+            map.valueFactor = takeNumber(after).value_or(1.0f);
             if (base.value_or(0.0f) != 0.0f) {
                 options_.add("-mm with a base");
             }

@@ -24,7 +24,7 @@ struct MtlMap {
     glm::vec2 offset{0.0f};
     bool clamp = false;          // -clamp
     float bumpMultiplier = 1.0f; // -bm
-    float gain = 1.0f;           // the second number of -mm: multiplies the map's values
+    float valueFactor = 1.0f;    // the second number of -mm, "gain": multiplies the map's values
     char channel = '\0';         // -imfchan: r g b m (matte, which is alpha) l (luminance); 0: not given
 
     bool isGiven() const { return !name.empty(); }

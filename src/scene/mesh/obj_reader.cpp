@@ -169,14 +169,14 @@ class ObjReader {
         }
         const auto size = static_cast<std::int64_t>(count);
         const std::int64_t index = *number < 0 ? size + *number : *number - 1;
-        const bool isHopeless = index < 0 || index >= kNoIndex;
-        if (isHopeless || index >= size) {
+        const bool isNeverInRange = index < 0 || index >= kNoIndex;
+        if (isNeverInRange || index >= size) {
             std::optional<Worst>& worst = worst_[kind];
-            if (!worst || (!worst->isHopeless && (isHopeless || index > worst->index))) {
-                worst = {index, isHopeless, *number, count, scanner_.lineNumber()};
+            if (!worst || (!worst->isNeverInRange && (isNeverInRange || index > worst->index))) {
+                worst = {index, isNeverInRange, *number, count, scanner_.lineNumber()};
             }
         }
-        return isHopeless ? kNoIndex : static_cast<std::uint32_t>(index);
+        return isNeverInRange ? kNoIndex : static_cast<std::uint32_t>(index);
     }
 
     void finishIndices() {
@@ -206,7 +206,7 @@ class ObjReader {
 
     void checkIndices(Kind kind, std::size_t count) const {
         const std::optional<Worst>& worst = worst_[kind];
-        if (worst && (worst->isHopeless || worst->index >= static_cast<std::int64_t>(count))) {
+        if (worst && (worst->isNeverInRange || worst->index >= static_cast<std::int64_t>(count))) {
             const std::string range =
                 worst->number == 0 ? ": indices count from 1"
                 : worst->number < 0
@@ -319,6 +319,7 @@ class ObjReader {
         if (!seen.insert(std::filesystem::canonical(file_.companion(name), failure).string()).second) {
             return;
         }
+        file_.addCompanion(name);
         const std::optional<std::vector<unsigned char>> bytes = readBytes(file_.companion(name));
         if (!bytes) {
             file_.warn("material library " + inQuotes(name) + " cannot be opened");
@@ -353,7 +354,7 @@ class ObjReader {
     // The index that is farthest out of the range that was known when it was read.
     struct Worst {
         std::int64_t index;  // from 0
-        bool isHopeless;     // what follows can't bring it into range
+        bool isNeverInRange; // what follows can't bring it into range
         std::int64_t number; // as the file has it
         std::size_t count;   // of what could be named when it was read
         std::uint64_t line;

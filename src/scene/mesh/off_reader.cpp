@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "metamarch/error/error.h"
 #include "metamarch/scene/instance_writer.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
 #include "metamarch/scene/mesh/stored_number.h"
+#include "metamarch/scene/mesh/text_form.h"
 #include "metamarch/scene/mesh/text_scanner.h"
 #include "metamarch/scene/mesh/vertex_color.h"
 
@@ -484,20 +484,9 @@ MeshFile readOff(InputFile& file, std::string_view bytes) {
     }
     const std::string_view text =
         bytes.substr(static_cast<std::size_t>(word.data() + word.size() - bytes.data()));
-    try {
-        return OffTextReader(file, text, *form, false).read();
-    } catch (const Error& failure) {
-        // Where the lines do not fit, the words may still do: the definition does not ask for lines. Then the
-        // last word has to be the last number.
-        if (failure.kind != ErrorKind::inputRefused) {
-            throw;
-        }
-        try {
-            return OffTextReader(file, text, *form, true).read();
-        } catch (const Error&) { // NOLINT(bugprone-empty-catch): the first failure says more
-        }
-        throw;
-    }
+    // Read by words, the last word has to be the last number.
+    return readLinesElseWords(
+        [&](const bool isFreeForm) { return OffTextReader(file, text, *form, isFreeForm).read(); });
 }
 
 } // namespace metamarch

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "metamarch/error/error.h"
 #include "metamarch/scene/instance_writer.h"
 #include "metamarch/scene/mesh/companion_name.h"
 #include "metamarch/scene/mesh/mesh_reader.h"
 #include "metamarch/scene/mesh/name_list.h"
 #include "metamarch/scene/mesh/ply_body.h"
 #include "metamarch/scene/mesh/ply_header.h"
+#include "metamarch/scene/mesh/text_form.h"
 #include "metamarch/scene/mesh/vertex_color.h"
 
 #include <fmt/format.h>
@@ -409,13 +409,19 @@ Content readBinary(InputFile& file, const PlyHeader& header) {
     return content;
 }
 
-// The definition puts every element on a line of its own. Where the lines do not fit, the words may still do:
-// many programs write and read without regard to lines. Then the last word has to be the last number.
+// Read by words, the last word has to be the last number.
 Content readText(InputFile& file, const PlyHeader& header) {
-    PlyPlace place(file);
-    try {
-        PlyTextBody body(header.body, place, false);
+    return readLinesElseWords([&](const bool isFreeForm) {
+        PlyPlace place(file);
+        PlyTextBody body(header.body, place, isFreeForm);
         Content content = BodyReader(file, header, place, body).read();
+        if (isFreeForm) {
+            if (!body.isAtEnd()) {
+                place.refuse("there are words behind the last number");
+            }
+            file.warn("PLY: the elements are not each on a line of their own");
+            return content;
+        }
         const std::size_t trailingBytes = body.finish();
         if (body.longLines() > 0) {
             file.warn("PLY: " + std::to_string(body.longLines()) +
@@ -423,21 +429,7 @@ Content readText(InputFile& file, const PlyHeader& header) {
         }
         warnOfTrailingBytes(file, trailingBytes);
         return content;
-    } catch (const Error& failure) {
-        if (failure.kind != ErrorKind::inputRefused) {
-            throw;
-        }
-        try {
-            PlyTextBody body(header.body, place, true);
-            Content content = BodyReader(file, header, place, body).read();
-            if (body.isAtEnd()) {
-                file.warn("PLY: the elements are not each on a line of their own");
-                return content;
-            }
-        } catch (const Error&) { // NOLINT(bugprone-empty-catch): the first failure says more
-        }
-        throw;
-    }
+    });
 }
 
 Content readContent(InputFile& file, const PlyHeader& header) {
@@ -544,13 +536,13 @@ void addTextures(InputFile& file, const PlyHeader& header, Content& content, Mes
         materialOfNumber.push_back(static_cast<std::uint32_t>(result.materials.size()));
         materialOfName.emplace(given, materialOfNumber.back());
         const std::string name = companionName(file, "", given);
-        Material material = paintedMaterial({});
+        Material material = vertexColorMaterial({});
         material.baseColorTexture.texture = static_cast<std::uint32_t>(result.textures.size());
         material.baseColorTexture.isSrgb = true;
         material.name = name;
         result.materials.push_back(std::move(material));
         result.textures.push_back({.image = static_cast<std::uint32_t>(result.textures.size())});
-        result.textureSources.push_back(fileSource(file, name));
+        result.textureSources.push_back({imageFile(file, name)});
     }
     mesh.faceMaterial.assign(mesh.faceEnd.size(), content.textureOfFace.empty() ? 0 : kNoIndex);
     std::ranges::transform(content.textureOfFace,

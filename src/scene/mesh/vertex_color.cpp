@@ -60,7 +60,7 @@ std::vector<glm::vec4> FileColors::decoded() {
     return std::move(colors_);
 }
 
-Material paintedMaterial(const std::vector<glm::vec4>& colors) {
+Material vertexColorMaterial(const std::vector<glm::vec4>& colors) {
     Material material;
     material.metallicFactor = 0.0f;
     material.doubleSided = true;

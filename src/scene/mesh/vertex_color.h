@@ -40,6 +40,6 @@ class FileColors {
 // Returns the material of a surface that has these decoded colours: white, without metal, seen from both
 // sides. It blends if an alpha is below 1, unless all are 0: then the program that wrote them did not mean
 // them.
-Material paintedMaterial(const std::vector<glm::vec4>& colors);
+Material vertexColorMaterial(const std::vector<glm::vec4>& colors);
 
 } // namespace metamarch

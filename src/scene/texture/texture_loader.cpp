@@ -86,26 +86,26 @@ DecodedTexture whiteTexel() {
     return white;
 }
 
-DecodedTexture decode(const TextureSource& source) {
+DecodedTexture decode(const EncodedImage& image) {
     try {
-        return source.read == nullptr ? whiteTexel() : decodeTexture(source.read(), source.ending);
+        return image.read == nullptr ? whiteTexel() : decodeTexture(image.read(), image.ending);
     } catch (const TextureFailure& failure) {
-        throw TextureFailure(source.name + ' ' + failure.what());
+        throw TextureFailure(image.name + ' ' + failure.what());
     }
 }
 
-std::string flawOf(const TextureSource& source, const DecodedTexture& texture) {
-    return texture.flaw.empty() ? "" : source.name + ' ' + texture.flaw;
+std::string flawOf(const EncodedImage& image, const DecodedTexture& texture) {
+    return texture.flaw.empty() ? "" : image.name + ' ' + texture.flaw;
 }
 
 Loaded load(const TextureSource& source) {
     try {
-        DecodedTexture texture = decode(source);
-        std::string flaw = flawOf(source, texture);
+        DecodedTexture texture = decode(source.image);
+        std::string flaw = flawOf(source.image, texture);
         for (const TextureOverlay& over : source.overlays) {
-            const DecodedTexture upper = decode(over.source);
+            const DecodedTexture upper = decode(over.image);
             overlay(texture.image, upper.image, over.channel, over.from);
-            flaw = flaw.empty() ? flawOf(over.source, upper) : flaw;
+            flaw = flaw.empty() ? flawOf(over.image, upper) : flaw;
         }
         if (source.edit != nullptr) {
             source.edit(texture.image);
@@ -172,7 +172,7 @@ class TextureLoader {
             newImage_[wanted[i]] = static_cast<std::uint32_t>(scene_.images.size());
             isLinear_[wanted[i]] = loaded[i].texture.isLinear;
             scene_.images.push_back(std::move(loaded[i].texture.image));
-            scene_.images.back().name = sources_[wanted[i]].name;
+            scene_.images.back().name = sources_[wanted[i]].image.name;
         }
     }
 
@@ -212,8 +212,9 @@ void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource
     TextureLoader(scene, file, sources).load(allowMissing);
 }
 
-TextureSource fileSource(const InputFile& file, const std::string& nameInFile) {
+EncodedImage imageFile(InputFile& file, const std::string& nameInFile) {
     const std::string name = file.portableName(nameInFile);
+    file.addCompanion(name);
     const auto read = [&file, name] {
         if (const std::string reason = file.whyNotReadable(name); !reason.empty()) {
             throw TextureFailure(reason);

@@ -10,17 +10,13 @@
 
 namespace metamarch {
 
-struct TextureOverlay;
-
-// An image that textures may use.
-struct TextureSource {
+// An image as a file has it.
+struct EncodedImage {
     std::string name;   // "texture 'wood.png'", for messages
     std::string ending; // ".png", in lower case; empty if there is none
     // Returns the encoded image. Throws TextureFailure. May be called on any thread. Null means a white
     // texel.
     std::function<std::vector<unsigned char>()> read;
-    std::vector<TextureOverlay> overlays{};    // applied in order
-    std::function<void(TextureImage&)> edit{}; // applied after the overlays; may be null
 };
 
 // Replaces a channel of another image by one of this image. The smaller image is enlarged without filtering.
@@ -28,9 +24,16 @@ struct TextureOverlay {
     static constexpr int kAlphaOrRed = -1; // alpha or, if the image has none, red
     static constexpr int kLuminance = 4;
 
-    TextureSource source; // its own overlays are ignored
+    EncodedImage image;
     int channel;
     int from = kAlphaOrRed; // 0 to 3, or one of these
+};
+
+// An image that textures may use.
+struct TextureSource {
+    EncodedImage image;
+    std::vector<TextureOverlay> overlays{};    // applied in order
+    std::function<void(TextureImage&)> edit{}; // applied after the overlays; may be null
 };
 
 // Before the call, scene.textures holds every texture of the file, each `image` is an index into `sources`,
@@ -40,7 +43,8 @@ struct TextureOverlay {
 void loadTextures(Scene& scene, InputFile& file, const std::vector<TextureSource>& sources,
                   bool allowMissing);
 
-// Returns the source for an image file; its name is relative to the scene file's folder.
-TextureSource fileSource(const InputFile& file, const std::string& nameInFile);
+// Returns an image file, and adds it to the files of the scene. Its name is relative to the
+// scene file's folder.
+EncodedImage imageFile(InputFile& file, const std::string& nameInFile);
 
 } // namespace metamarch
