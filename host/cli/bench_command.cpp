@@ -15,7 +15,7 @@ namespace metamarch::cli {
 
 namespace {
 
-// What each device cannot run, a line each; nothing where there is no device.
+// Returns a line for each traversal that a device cannot run. Without a device there are none.
 std::string notOffered() {
     std::string text;
     try {

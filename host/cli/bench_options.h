@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the benchmarks' sub-commands have in common.
+// The options that the benchmarks' sub-commands share.
 #pragma once
 #include "metamarch/bench/measurement.h"
 #include "metamarch/bench/row.h"
@@ -32,7 +32,7 @@ class BenchOptions {
     double seconds = 0.5;
 };
 
-// The JSON of the rows, also where a driver calls its device by bytes that are no UTF-8.
+// Returns the rows as JSON. Bytes of a device's name that are no UTF-8 are replaced.
 std::string jsonText(const bench::Origin& origin, std::span<const bench::Row> rows);
 
 } // namespace metamarch::cli

@@ -42,9 +42,9 @@ struct TraversalOptions {
     AccelerationOptions structure;
 };
 
-// The traversals that are measured on `device`. By default all that it can run, which is said of the others,
-// but for brute_force, which takes minutes where they take milliseconds. Those asked for must run, and
-// --table rectilinear asks for its own.
+// Returns the traversals that are measured on `device`: those that the user names, which must run, or the one
+// of --table rectilinear, or by default all that the device can run. The program names those that it leaves
+// out by default. It also leaves out brute_force, which takes minutes where the others take milliseconds.
 std::vector<std::string> chooseTraversals(const vulkan::DeviceReport& device,
                                           const std::vector<std::string>& askedFor, const TableMethod table) {
     for (const std::string& traversal : askedFor) {
@@ -79,8 +79,7 @@ bool isRaySetName(const std::string& word) {
     return std::ranges::find(bench::kRaySets, word, &bench::RaySetKind::name) != bench::kRaySets.end();
 }
 
-// The rows as they come: printed at once, written in the end. Rows whose hits were not the judge's are left
-// out and told of.
+// Collects the rows, and prints each at once. A row whose hits are not the judge's is left out and named.
 class RowSink {
   public:
     template <class MakeRow>
@@ -124,7 +123,8 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
         const bench::JudgedRays rays = bench::judgeRays(
             scene, isRaySetName(word) ? word : std::filesystem::path(word).filename().string(), "",
             std::move(set));
-        // Where a floor's hits are not the judge's the triangle test itself differs, and all of it ends.
+        // If the hits of the floor are not the judge's, the triangle test itself differs, and the benchmark
+        // ends.
         for (std::size_t i = 0; i < devices.size(); ++i) {
             const bench::Row floor =
                 bench::benchFloorOnDevice(scene, rays, *devices[i].device, *buffers[i], protocol);
@@ -149,7 +149,7 @@ void benchScene(bench::BenchScene& scene, const TraversalOptions& options, const
     }
 }
 
-// "all" or what --device takes, each once.
+// Returns the devices: "all", or each word as --device takes it. No device is listed twice.
 std::vector<BenchDevice> openDevices(const vulkan::Context& context, const TraversalOptions& options,
                                      const TableMethod table) {
     std::vector<std::string> names = options.devices;
@@ -181,9 +181,13 @@ bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDe
                             fmt::format("{}", fmt::join(drivers, "; ")));
 }
 
-// What can be refused before the long work.
+std::vector<NamedFile> outputsOf(const TraversalOptions& options) {
+    return {{"--json", options.jsonPath}, {"--markdown", options.markdownPath}};
+}
+
+// Refuses bad outputs before the long work.
 void checkOutputs(const TraversalOptions& options, const SettingList& given) {
-    const NamedFile outputs[] = {{"--json", options.jsonPath}, {"--markdown", options.markdownPath}};
+    const std::vector<NamedFile> outputs = outputsOf(options);
     for (const NamedFile& output : outputs) {
         if (!output.path.empty()) {
             const OutputFile probe(output.path);
@@ -225,6 +229,7 @@ void runTraversal(const TraversalOptions& options, const SettingList& given) {
     for (const std::string& path : options.scenePaths) {
         Scene imported = loadScene(path, options.import);
         printWarnings(imported.warnings);
+        checkOutputsDiffer(outputsOf(options), companionsOf(imported));
         bench::BenchScene scene(std::filesystem::path(path).filename().string(), std::move(imported),
                                 structureOptions);
         printWarnings(render::warningsOf(scene.structure));

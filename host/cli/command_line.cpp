@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kHelpWidth = 100;
 constexpr std::size_t kHelpColumn = 30; // where CLI11 begins the description of an option
 
-// One line of help as several that are not wider than the page. The text of an option stays in its column.
+// Breaks a line of help where it is wider than the page. The text of an option stays in its column.
 std::string wrappedLine(std::string line) {
     const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
     const std::string indent(blanks == 2 ? kHelpColumn : blanks, ' ');
@@ -54,7 +54,7 @@ std::string wrapped(const std::string& help) {
     return text;
 }
 
-// "--tree-depth" of the library's "treeDepth".
+// Returns "--tree-depth" for the library's "treeDepth".
 std::string optionOf(const std::string& setting) {
     std::string option = "--";
     for (const char letter : setting) {
@@ -68,8 +68,7 @@ std::string optionOf(const std::string& setting) {
     return option;
 }
 
-// Sets the value. Where it is refused, the error names the option, unless it already names the file that the
-// setting reads.
+// Sets the value. A refusal names the option, unless it already names the file that the setting reads.
 void assign(Setting& setting, const std::string& text) {
     try {
         setting.set(text);
@@ -130,7 +129,7 @@ void addSetting(CLI::App& app, Setting& setting) {
     }
 }
 
-// Throws Error(invalidArgument) where settings that were given exclude each other, or one lacks what it
+// Throws Error(invalidArgument) if settings that were given exclude each other, or if one lacks what it
 // needs.
 void checkTogether(const SettingList& list) {
     for (const Setting& setting : list.all()) {
@@ -191,8 +190,8 @@ bool contains(const std::vector<std::string>& words, const std::string_view word
     return std::ranges::find(words, word) != words.end();
 }
 
-// What to say after a word that is not known: its name here where it is another program's, else the nearest
-// of the candidates.
+// Returns what to say after an unknown word: its name in this program if another program has the word,
+// otherwise the nearest candidate.
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates) {
     const std::string_view answer = word.starts_with('-') ? answerTo(word) : std::string_view();
     if (answer.starts_with("`--")) {
@@ -206,14 +205,14 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     return nearest.empty() ? "" : fmt::format("; did you mean `{}`?", nearest);
 }
 
-// The first option among the words, else the first word.
+// Returns the first option among the words, or the first word if there is no option.
 std::string firstUnknown(const std::vector<std::string>& words) {
     const auto option =
         std::ranges::find_if(words, [](const std::string& word) { return word.starts_with('-'); });
     return option == words.end() ? words.front() : *option;
 }
 
-// Files in place of a sub-command: most want a picture.
+// Says that files stand where a sub-command is wanted. Most users want a picture then.
 int reportNoCommand(const std::vector<std::string>& words) {
     return report(
         ExitCode::badArguments,
@@ -244,7 +243,7 @@ int reportUnknownWord(const CLI::App& program, const std::vector<std::string>& w
                   fmt::format("unknown sub-command `{}`{} (see `metamarch --help`: {})", word, hint, list));
 }
 
-// The sub-command of a sub-command that the words name.
+// Returns the innermost sub-command that was given.
 const CLI::App& innermost(const CLI::App& command) {
     const std::vector<CLI::App*> nested = command.get_subcommands();
     return nested.empty() ? command : innermost(*nested.front());
@@ -261,7 +260,7 @@ int reportBadArguments(const CLI::App& command, const CLI::ParseError& error) {
     if (unknown.empty()) {
         unknown = command.remaining();
     }
-    // A misspelt option also leaves out the one that it was to be.
+    // If a required option is misspelt, CLI11 reports the required one. The misspelt one says more.
     const bool isAboutWords = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                               dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     if (isAboutWords && !unknown.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line: sub-commands with their settings, parsed by CLI11, which this file keeps from all others.
+// The command line: sub-commands with their settings. CLI11 parses it; no other file includes CLI11.
 #pragma once
 #include "metamarch/cli/exit_code.h"
 #include "metamarch/settings/setting.h"
@@ -23,12 +23,12 @@ struct Command {
 // and what is wrong with the arguments; throws what `run` throws.
 int runCommandLine(int argc, const char* const* argv, Command& program, const std::string& version);
 
-// Print "metamarch: LINE" on stderr and return the exit code. An error's line is followed by the options that
-// its settings stand for.
+// Print "metamarch: LINE" on stderr and return the exit code. The options of an error's settings follow its
+// line.
 int report(ExitCode code, const std::string& line);
 int report(const Error& error);
 
-// The same for the exception that is being handled. Where there is none, a defect is reported.
+// The same for the exception that is being handled. Reports a defect if there is none.
 int reportCurrentException();
 
 } // namespace metamarch::cli

@@ -89,7 +89,7 @@ void printJson(const Comparison& comparison, const CompareOptions& options) {
         {"failingPercent", comparison.failingPercent},
         {"channels", channels},
     };
-    // A path need not be valid UTF-8; a report with a replacement character beats none.
+    // A path may hold bytes that are no UTF-8. They are replaced.
     printResult(
         fmt::format("{}\n", report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
 }

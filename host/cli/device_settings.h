@@ -10,7 +10,7 @@ namespace metamarch::cli {
 
 Setting& declareDevice(SettingList& list, std::string& device);
 
-// A name out of traversals(). Empty: the traversal that marches the table.
+// Declares a setting for a name of traversals(). An empty name means the traversal that marches the table.
 Setting& declareTraversal(SettingList& list, const std::string& name, std::string& traversal,
                           const std::string& help);
 

@@ -64,7 +64,7 @@ void printReport(const DeviceReport& report, bool isDefault) {
     printLine("ray queries", rayQueryText(report));
 }
 
-// Sizes in bytes.
+// Sizes are in bytes.
 nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
     return {{"index", report.index},
             {"name", report.name},

@@ -12,12 +12,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace metamarch::cli {
 namespace {
@@ -38,22 +35,9 @@ std::string triple(const nlohmann::ordered_json& values, const char* separator) 
                        values[2].dump());
 }
 
-// A name of a file may be bytes that are no UTF-8.
-std::string textOf(const nlohmann::ordered_json& json, const int indent) {
-    return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-// Prints the names that choose among the file's scenes; JSON's escapes hide control characters.
-void printScenes(const std::vector<std::string>& scenes) {
-    constexpr std::size_t kMostLines = 50;
-    for (std::size_t i = 0; i < std::min(scenes.size(), kMostLines); ++i) {
-        const std::string quoted = textOf(scenes[i], -1);
-        printResult(fmt::format("{:<12} {} '{}'\n", i == 0 ? "scenes" : "", i,
-                                std::string_view(quoted).substr(1, quoted.size() - 2)));
-    }
-    if (scenes.size() > kMostLines) {
-        printResult(fmt::format("{:<12} and {} more, see --json\n", "", scenes.size() - kMostLines));
-    }
+// A name in the file may hold bytes that are no UTF-8. They are replaced.
+std::string textOf(const nlohmann::ordered_json& json) {
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 void printText(const nlohmann::ordered_json& report) {
@@ -118,12 +102,10 @@ void runInfo(const InfoOptions& options) {
         report["rectilinear"] = reportRectilinear(StructureSet(*prepared.structure).rectilinearTable());
     }
     if (options.json) {
-        report["scenes"] = scene->scenes;
         report.update(reportContents(*scene));
-        printResult(textOf(report, 2) + "\n");
+        printResult(textOf(report) + "\n");
     } else {
         printText(report);
-        printScenes(scene->scenes);
         printResult(contentsText(*scene));
     }
 }

@@ -7,7 +7,7 @@
 namespace metamarch::cli {
 namespace {
 
-// Levenshtein distance, one row of the table at a time.
+// Returns the Levenshtein distance. Keeps one row of the table at a time.
 std::size_t editDistance(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

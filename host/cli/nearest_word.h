@@ -6,9 +6,9 @@
 
 namespace metamarch::cli {
 
-// The candidate that `word` is most likely a misspelling of: at most two letters inserted, removed or
-// replaced, and at most a third of the word's letters. Hyphens before the word do not count as letters. Empty
-// when there is none.
+// Returns the candidate that `word` most likely misspells: at most two letters are inserted, removed or
+// replaced, and at most a third of the word's letters. Hyphens before the word do not count as letters.
+// Returns "" if there is none.
 std::string nearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace metamarch::cli

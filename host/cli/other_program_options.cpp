@@ -72,7 +72,7 @@ constexpr Answer kAnswers[] = {
     {"V version", "`metamarch --version` prints the version"},
 };
 
-// "max-depth" of "--Max_Depth=5". One letter keeps its case, because -V and -v differ.
+// Returns "max-depth" for "--Max_Depth=5". A single letter keeps its case, because -V and -v differ.
 std::string plain(std::string_view option) {
     option.remove_prefix(std::min(option.find_first_not_of('-'), option.size()));
     std::string word(option.substr(0, option.find('=')));

@@ -11,7 +11,7 @@
 namespace metamarch::cli {
 namespace {
 
-// Only plain files lose what they hold. An input that is missing is refused when it is read.
+// Only regular files lose what they hold. A missing input is refused when it is read.
 bool isSameFile(const std::filesystem::path& output, const std::filesystem::path& input) {
     std::error_code failure;
     return std::filesystem::is_regular_file(output, failure) &&
@@ -42,6 +42,14 @@ void checkOutputsDiffer(const std::span<const NamedFile> outputs, const std::spa
             }
         }
     }
+}
+
+std::vector<NamedFile> companionsOf(const Scene& scene) {
+    std::vector<NamedFile> companions;
+    for (const std::filesystem::path& file : scene.files) {
+        companions.push_back({fmt::format("SCENE's {}", file.filename().string()), file});
+    }
+    return companions;
 }
 
 } // namespace metamarch::cli

@@ -13,7 +13,8 @@
 namespace metamarch::cli {
 namespace {
 
-// A stream that the caller closed gets a file with which its use fails, as that of a closed stream does.
+// Opens a file in place of each stream that the caller has closed. Reading or writing it fails, as with a
+// closed stream.
 void openStandardStreams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(stream, F_GETFD) == -1) { // the lowest free number is the stream's
@@ -22,8 +23,7 @@ void openStandardStreams() {
     }
 }
 
-// The parent sees that the signal ended the program, as it would without a handler. For process 1 the second
-// signal does nothing either.
+// Ends the program by the signal itself, so that the parent sees it. Process 1 survives that, and exits.
 void endBySignal(const int signal) {
     removeTemporaryFiles();
     std::signal(signal, SIG_DFL);
@@ -35,7 +35,7 @@ void endBySignal(const int signal) {
     _exit(128 + signal);
 }
 
-// A signal that the caller has the program ignore (nohup) stays ignored.
+// A signal that the caller has set to be ignored (nohup) stays ignored.
 void handle(const int signal) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);

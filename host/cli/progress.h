@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A progress bar on a terminal, nothing elsewhere.
+// A progress bar. It is drawn on terminals only.
 #pragma once
 #include <chrono>
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace metamarch::cli {
 
-// Draws on stderr while it lives, if that is a terminal and `wanted`; leaves a clean line behind.
+// Draws on stderr during its lifetime if stderr is a terminal and the bar is `wanted`. Leaves a clean line
+// behind.
 class Progress {
   public:
-    // `firstLabel` stands there until show() is called.
+    // Shows `firstLabel` until show() is called.
     Progress(std::string_view firstLabel, bool wanted);
     ~Progress();
     Progress(const Progress&) = delete;

@@ -2,6 +2,7 @@
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/output_check.h"
+#include "metamarch/cli/picture_options.h"
 #include "metamarch/cli/progress.h"
 #include "metamarch/cli/render_report.h"
 #include "metamarch/cli/stage_log.h"
@@ -17,7 +18,6 @@
 #include "metamarch/render/render.h"
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/scene/import.h"
-#include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/view.h"
 
@@ -26,6 +26,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace metamarch::cli {
 namespace {
@@ -34,23 +35,13 @@ enum class Backend { gpu, cpu };
 
 constexpr std::pair<std::string_view, Backend> kBackends[] = {{"gpu", Backend::gpu}, {"cpu", Backend::cpu}};
 
-struct RenderOptions {
-    std::string scenePath;
+struct RenderOptions : PictureOptions {
+    RenderOptions() : PictureOptions(64) {}
+
     std::string outputPath;
-    glm::uvec2 size{1280, 720};
-    ViewChoice view;
-    ToneMapping tone{kToneNeutral};
     Backend backend = Backend::gpu;
-    std::string device;
-    std::string traversal; // empty: what marches the table
-    PathChoice path;
-    std::uint32_t samplesPerPixel = 64;
-    LightChoice light;
-    ImportOptions import;
-    AccelerationOptions structure;
     std::string statsPath;
     bool isStamped = false;
-    std::optional<std::uint32_t> threads;
     bool quiet = false;
     bool isVerbose = false;
 };
@@ -66,17 +57,20 @@ void checkArguments(const RenderOptions& options) {
     checkStructure(options.structure);
 }
 
-// What can be refused before the long work.
+std::vector<NamedFile> outputsOf(const RenderOptions& options) {
+    return {{"--output", options.outputPath}, {"--stats", options.statsPath}};
+}
+
+// Refuses bad outputs before the long work.
 void checkOutputs(const RenderOptions& options, const SettingList& given) {
     checkWritable(options.outputPath);
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
     }
-    const NamedFile outputs[] = {{"--output", options.outputPath}, {"--stats", options.statsPath}};
     const NamedFile inputs[] = {{"SCENE", options.scenePath},
                                 {"--env", given.at("env").text()},
                                 {"--partition", given.at("partition").text()}};
-    checkOutputsDiffer(outputs, inputs);
+    checkOutputsDiffer(outputsOf(options), inputs);
 }
 
 render::RenderSettings settingsOf(const RenderOptions& options) {
@@ -90,7 +84,7 @@ render::RenderSettings settingsOf(const RenderOptions& options) {
     return settings;
 }
 
-// Without `onDevice` on the CPU.
+// Renders on the device, or on the CPU if there is no `onDevice`.
 render::RenderResult renderWithProgress(const render::PreparedScene& scene,
                                         const std::optional<render::DeviceScene>& onDevice,
                                         const Camera& camera, const render::RenderSettings& settings,
@@ -104,7 +98,7 @@ render::RenderResult renderWithProgress(const render::PreparedScene& scene,
                     : render::renderPicture(scene, camera, settings, show);
 }
 
-// `report` says what the rendering took; this adds what --stats says of the scene.
+// Writes `report`, which says what the rendering took, with a description of the scene.
 void writeStats(const nlohmann::ordered_json& report, const render::PreparedScene& scene,
                 const std::optional<render::DeviceScene>& onDevice, const std::string& path) {
     nlohmann::ordered_json stats;
@@ -115,17 +109,17 @@ void writeStats(const nlohmann::ordered_json& report, const render::PreparedScen
         stats["scene"]["rectilinear"] =
             reportRectilinear(onDevice->buffers().structures().rectilinearTable());
     }
-    // A driver may call its device by bytes that are no UTF-8.
+    // The name of a device may hold bytes that are no UTF-8.
     writeText(path, stats.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-// A result on standard output is not mixed with words.
+// Then the summary is left out: standard output holds the result alone.
 bool printsResults(const RenderOptions& options) {
     return isStandardOutput(options.outputPath) ||
            (!options.statsPath.empty() && isStandardOutput(options.statsPath));
 }
 
-// All but where the results go, and the preset, which stands for other settings.
+// Returns the options that change the picture. The preset is left out, because it stands for other settings.
 std::string changedOptions(const SettingList& given) {
     constexpr std::string_view kOutputs[] = {"output",  "stats",   "stamp", "quiet",
                                              "verbose", "threads", "preset"};
@@ -140,7 +134,7 @@ void runRender(const RenderOptions& options, const SettingList& given) {
     StageLog log(options.isVerbose);
     const render::RenderSettings settings = settingsOf(options);
 
-    // Before the long work: there may be no device that fits.
+    // Chosen before the long work, because there may be no device that fits.
     std::optional<vulkan::Context> context;
     std::optional<vulkan::Device> device;
     if (options.backend == Backend::gpu) {
@@ -155,6 +149,7 @@ void runRender(const RenderOptions& options, const SettingList& given) {
     const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
     const double importSeconds = import.seconds();
     printWarnings(scene->warnings);
+    checkOutputsDiffer(outputsOf(options), companionsOf(*scene));
     log.end(fmt::format("scene of {} triangles, {} materials, {} textures", scene->triangles.size(),
                         scene->materials.size(), scene->textures.size()));
     const SceneCamera sceneCamera =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rendering took: for --stats and for the last line.
+// Reports what rendering took, for --stats and for the last line.
 #pragma once
 #include "metamarch/render/render.h"
 
@@ -15,7 +15,7 @@ namespace metamarch::cli {
 // opens an object.
 nlohmann::ordered_json reportRender(const render::RenderResult& result);
 
-// What a ray or a sample took, in words.
+// Returns in words what a ray or a sample took.
 std::string summaryOf(const render::RenderResult& result);
 
 } // namespace metamarch::cli

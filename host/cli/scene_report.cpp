@@ -5,7 +5,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 namespace metamarch::cli {
@@ -15,11 +14,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 50; // of one list, as text
 
-// Names of files may hold terminal escapes.
-std::string printable(std::string name) {
-    std::ranges::replace_if(
-        name, [](const unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    return name;
+// A name of a file may hold terminal escapes and bytes that are no UTF-8; JSON shows them as they can be
+// printed.
+std::string printable(const std::string& name) {
+    const std::string quoted = Json(name).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return quoted.substr(1, quoted.size() - 2);
 }
 
 double degrees(const float radians) { return static_cast<double>(radians) * 180.0 / glm::pi<double>(); }
@@ -80,7 +79,7 @@ std::vector<std::size_t> trianglesOfMaterials(const Scene& scene) {
     return counts;
 }
 
-// "cameras      0 'front': perspective" and so on; `describe` says what follows the name.
+// Returns lines like "cameras      0 'front': perspective". `describe` returns what follows the name.
 template <class Elements, class Name, class Describe>
 std::string listText(const char* const label, const Elements& elements, const Name& name,
                      const Describe& describe) {
@@ -99,11 +98,8 @@ std::string listText(const char* const label, const Elements& elements, const Na
 } // namespace
 
 Json reportContents(const Scene& scene) {
-    Json report = {{"cameras", Json::array()},
-                   {"animations", Json::array()},
-                   {"variants", scene.variants},
-                   {"lights", Json::array()},
-                   {"materials", Json::array()}};
+    Json report = {{"scenes", scene.scenes},     {"cameras", Json::array()}, {"animations", Json::array()},
+                   {"variants", scene.variants}, {"lights", Json::array()},  {"materials", Json::array()}};
     for (const SceneCamera& camera : scene.cameras) {
         report["cameras"].push_back(toJson(camera));
     }
@@ -123,7 +119,10 @@ Json reportContents(const Scene& scene) {
 std::string contentsText(const Scene& scene) {
     const auto nameOf = [](const auto& element) { return element.name; };
     const std::vector<std::size_t> triangles = trianglesOfMaterials(scene);
-    return listText("cameras", scene.cameras, nameOf,
+    const auto itself = [](const std::string& name) { return name; };
+    const auto nothing = [](std::size_t) { return std::string(); };
+    return listText("scenes", scene.scenes, itself, nothing) +
+           listText("cameras", scene.cameras, nameOf,
                     [&](const std::size_t i) {
                         const SceneCamera& camera = scene.cameras[i];
                         return isPerspective(camera)
@@ -135,9 +134,7 @@ std::string contentsText(const Scene& scene) {
                     [&](const std::size_t i) {
                         return fmt::format("{:.4g} seconds", scene.animations[i].seconds);
                     }) +
-           listText(
-               "variants", scene.variants, [](const std::string& name) { return name; },
-               [](std::size_t) { return std::string(); }) +
+           listText("variants", scene.variants, itself, nothing) +
            listText("lights", scene.lights, nameOf,
                     [&](const std::size_t i) {
                         const PunctualLight& light = scene.lights[i];

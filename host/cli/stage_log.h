@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program does and how long that takes: for --verbose.
+// Prints for --verbose what the program does, and how long that takes.
 #pragma once
 #include "metamarch/render/stopwatch.h"
 
@@ -11,7 +11,7 @@ class StageLog {
   public:
     explicit StageLog(const bool wanted) : isWanted(wanted) {}
 
-    // Prints on standard error what ended now, with the seconds since the last end.
+    // Prints on standard error that a stage ends now, with the seconds since the end of the stage before.
     void end(std::string_view what);
 
   private:

@@ -14,7 +14,7 @@ nlohmann::ordered_json toArray(const Vector& v) {
     return nlohmann::ordered_json::array({v.x, v.y, v.z});
 }
 
-// The double that prints as briefly as the float does: -0.0946899, not -0.09468989819288254.
+// Returns the double that prints as briefly as the float: -0.0946899, not -0.09468989819288254.
 double shortest(const float value) {
     const std::string text = fmt::format("{}", value);
     double result = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scene, tree and table in numbers: for `info` and for --stats.
+// Describes scene, tree and table in numbers, for `info` and for --stats.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/rectilinear_table.h"
@@ -17,9 +17,9 @@ namespace metamarch::cli {
 // leaves of its own. bounds are null without triangles.
 nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStructure& structure);
 
-// What --table rectilinear adds, as object `rectilinear`: planes (of each axis, both faces among them) cells
-// leaves references depth bytes.table bytes.exitBoxes bytes.planes bytes.triangles seconds. depth is that of
-// the tree whose planes they are; bytes.planes counts the look-ups too.
+// Returns the object `rectilinear`, which --table rectilinear adds: planes (of each axis, both faces among
+// them) cells leaves references depth bytes.table bytes.exitBoxes bytes.planes bytes.triangles seconds. depth
+// is that of the tree whose planes they are; bytes.planes counts the look-ups too.
 nlohmann::ordered_json reportRectilinear(const RectilinearTable& table);
 
 } // namespace metamarch::cli

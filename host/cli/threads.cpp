@@ -20,21 +20,21 @@
 namespace metamarch::cli {
 namespace {
 
-// The pools beside each other: TBB, OpenImageIO, OpenEXR and the driver's two.
+// Pools that run at the same time: TBB, OpenImageIO, OpenEXR and the driver's two.
 constexpr std::size_t kPools = 5;
 constexpr std::size_t kOthers = 4; // single threads of the driver, such as that of its disk cache
 
-// A limit of this many threads or more leaves room beside what a user or a container already runs.
+// A limit of at least this many threads leaves room for what the user or the container already runs.
 constexpr std::uint64_t kAmple = 16384;
 
-// The limit in a cgroup's file pids.max; nothing where it is "max" or the file is not there.
+// Returns the limit in a cgroup's file pids.max, or nothing if it is "max" or if there is no such file.
 std::optional<std::uint64_t> readPidsMax(const std::filesystem::path& folder) {
     std::ifstream file(folder / "pids.max");
     std::uint64_t limit = 0;
     return file >> limit ? std::optional(limit) : std::nullopt;
 }
 
-// Whether a cgroup of this process, or one above it, has a limit below `wanted`; see cgroups(7). In a
+// Returns true if a cgroup of this process, or one above it, has a limit below `wanted`; see cgroups(7). In a
 // container the path may be the host's. Then only the mounted folder itself has the file.
 bool isCgroupBelow(const std::uint64_t wanted) {
     std::ifstream cgroups("/proc/self/cgroup");
@@ -63,8 +63,8 @@ bool isCgroupBelow(const std::uint64_t wanted) {
     return false;
 }
 
-// Whether the system may refuse some of `wanted` threads: a limit of the user (`ulimit -u`) or of a container
-// is not far above that number.
+// Returns true if the system may refuse some of `wanted` threads, because a limit of the user (`ulimit -u`)
+// or of a container is not far above that number.
 bool isNearLimit(const std::uint64_t wanted) {
     rlimit user{};
     const bool isUserLimited = getrlimit(RLIMIT_NPROC, &user) == 0 && user.rlim_cur != RLIM_INFINITY &&
@@ -72,7 +72,7 @@ bool isNearLimit(const std::uint64_t wanted) {
     return isUserLimited || isCgroupBelow(wanted + kAmple);
 }
 
-// How many of `wanted` threads the system lets live beside each other.
+// Returns how many of `wanted` threads the system lets run at the same time.
 std::size_t possibleThreads(const std::size_t wanted) {
     std::mutex mutex;
     std::condition_variable mayEnd;
@@ -87,7 +87,7 @@ std::size_t possibleThreads(const std::size_t wanted) {
             });
         }
     } catch (const std::system_error&) {
-        // As many as there are.
+        // The threads that have started are the answer.
     }
     {
         const std::scoped_lock lock(mutex);
@@ -100,7 +100,7 @@ std::size_t possibleThreads(const std::size_t wanted) {
     return threads.size();
 }
 
-// The threads of each pool, the calling one among them, and what the driver is to be told.
+// The number of threads of each pool, with the calling one, and the number for the driver.
 struct Share {
     std::size_t threads;
     bool isSet; // by the user or by a limit; otherwise the libraries choose by themselves

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many threads the program takes.
+// Chooses how many threads the program takes.
 #pragma once
 #include "metamarch/settings/setting.h"
 
@@ -13,9 +13,9 @@ namespace metamarch::cli {
 Setting& declareThreads(SettingList& list, std::optional<std::uint32_t>& threads);
 
 // Limits, while it lives, the threads of the program itself, of the picture writer and of Mesa's software
-// Vulkan driver. It has to be there before the Vulkan loader is opened: the driver reads its limit from the
-// environment. Without a number each takes one for each processor, or fewer where the system (`ulimit -u`, a
-// container's limit) does not allow so many. Only where such a limit is near are the threads tried out.
+// Vulkan driver. Make it before the Vulkan loader is opened: the driver reads its limit from the
+// environment. Without a number each takes a thread for each processor, or fewer if the system (`ulimit -u`,
+// a container's limit) does not allow so many. The program tries threads out only if such a limit is near.
 class Threads {
   public:
     explicit Threads(std::optional<std::uint32_t> wanted);

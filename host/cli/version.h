@@ -4,13 +4,14 @@
 
 namespace metamarch::cli {
 
-// The commit this was built from: "0123abcd4567", with "-dirty" behind it where files differ.
+// Returns the commit of the build: "0123abcd4567", followed by "-dirty" if files differ from it.
 std::string gitCommit();
 
-// "metamarch 0.1.0 (0123abcd4567)".
+// Returns "metamarch 0.1.0 (0123abcd4567)".
 std::string programVersion();
 
-// The program, its commit and everything it was built with, a line each, without a newline at the end.
+// Returns a line each for the program with its commit and for everything that it was built with. No newline
+// ends it.
 std::string versionText();
 
 } // namespace metamarch::cli

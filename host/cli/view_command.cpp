@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/picture_options.h"
 #include "metamarch/cli/threads.h"
 #include "metamarch/cli/version.h"
 #include "metamarch/error/error.h"
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/render/view_names.h"
-#include "metamarch/settings/render_settings.h"
 
 #ifdef METAMARCH_HAS_VIEWER
 #include "metamarch/viewer/actions.h"
@@ -27,22 +27,12 @@
 namespace metamarch::cli {
 namespace {
 
-struct ViewerArguments {
-    std::string scenePath;
-    glm::uvec2 size{1280, 720};
-    ViewChoice view;
-    ToneMapping tone{kToneNeutral};
-    std::string device;
-    std::string traversal;
+struct ViewOptions : PictureOptions {
+    ViewOptions() : PictureOptions(1024) {}
+
     std::string secondTraversal;
     std::string shown; // a name of render::kViewNames; empty: the picture
-    PathChoice path;
-    std::uint32_t samplesPerPixel = 1024;
-    LightChoice light;
-    ImportOptions import;
-    AccelerationOptions structure;
     std::string shaderFolder;
-    std::optional<std::uint32_t> threads;
     bool hasNoPanels = false;
 };
 
@@ -78,45 +68,45 @@ viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene, 
     return camera;
 }
 
-void runView(const ViewerArguments& arguments) {
-    checkStructure(arguments.structure);
+void runView(const ViewOptions& options) {
+    checkStructure(options.structure);
     std::error_code error;
-    if (!arguments.shaderFolder.empty() && !std::filesystem::is_directory(arguments.shaderFolder, error)) {
+    if (!options.shaderFolder.empty() && !std::filesystem::is_directory(options.shaderFolder, error)) {
         throw Error(ErrorKind::invalidArgument,
-                    fmt::format("--shaders {}: there is no such folder", arguments.shaderFolder));
+                    fmt::format("--shaders {}: there is no such folder", options.shaderFolder));
     }
-    viewer::ViewerOptions options;
-    options.size = arguments.size;
-    options.scene.file = arguments.scenePath;
-    options.scene.structure = arguments.structure;
-    viewer::Settings& settings = options.settings;
-    settings.import = arguments.import;
-    settings.light = arguments.light;
-    settings.path = arguments.path;
-    settings.samples = arguments.samplesPerPixel;
-    settings.pixelFilter = arguments.view.lens.pixelFilter;
-    settings.tone = arguments.tone;
-    settings.hasPanels = !arguments.hasNoPanels;
-    settings.traversal = arguments.traversal.empty()
-                             ? std::string(render::marchingTraversal(options.scene.structure.table))
-                             : arguments.traversal;
-    settings.secondTraversal = arguments.secondTraversal;
-    render::requireTable(options.scene.structure.table, settings.traversal);
-    if (!arguments.shown.empty()) {
-        settings.view = std::ranges::find(render::kViewNames, arguments.shown, &render::ViewName::name)->view;
+    viewer::ViewerOptions request;
+    request.size = options.size;
+    request.scene.file = options.scenePath;
+    request.scene.structure = options.structure;
+    viewer::Settings& settings = request.settings;
+    settings.import = options.import;
+    settings.light = options.light;
+    settings.path = options.path;
+    settings.samples = options.samplesPerPixel;
+    settings.pixelFilter = options.view.lens.pixelFilter;
+    settings.tone = options.tone;
+    settings.hasPanels = !options.hasNoPanels;
+    settings.traversal = options.traversal.empty()
+                             ? std::string(render::marchingTraversal(request.scene.structure.table))
+                             : options.traversal;
+    settings.secondTraversal = options.secondTraversal;
+    render::requireTable(request.scene.structure.table, settings.traversal);
+    if (!options.shown.empty()) {
+        settings.view = std::ranges::find(render::kViewNames, options.shown, &render::ViewName::name)->view;
     }
-    options.chooseCamera = [&](const Scene& scene, const float aspect) {
-        return chooseViewCamera(arguments.view, scene, aspect);
+    request.chooseCamera = [&](const Scene& scene, const float aspect) {
+        return chooseViewCamera(options.view, scene, aspect);
     };
-    options.device = arguments.device;
-    options.shaderFolder = arguments.shaderFolder.empty() ? METAMARCH_SHADER_FOLDER : arguments.shaderFolder;
-    options.software = programVersion();
-    viewer::runViewer(options);
+    request.device = options.device;
+    request.shaderFolder = options.shaderFolder.empty() ? METAMARCH_SHADER_FOLDER : options.shaderFolder;
+    request.software = programVersion();
+    viewer::runViewer(request);
 }
 
 #else
 
-void runView(const ViewerArguments&) {
+void runView(const ViewOptions&) {
     throw Error(ErrorKind::noDevice,
                 "this build has no viewer: GLFW, Dear ImGui or glslang was missing when it was "
                 "configured (Debian: libglfw3-dev libimgui-dev glslang-dev)");
@@ -127,40 +117,39 @@ void runView(const ViewerArguments&) {
 } // namespace
 
 Command makeViewCommand() {
-    const auto arguments = std::make_shared<ViewerArguments>();
+    const auto options = std::make_shared<ViewOptions>();
     Command command{"view", "Look at a scene in a window", {}, {}, {}, {}};
     SettingList& settings = command.settings;
-    settings.positional("SCENE", arguments->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
-    settings.size("size", arguments->size, "Width and height of the window");
-    settings.flag("no-panels", arguments->hasNoPanels, "Begin without panels (Tab shows them)");
-    declareCamera(settings, arguments->view);
-    declareTone(settings, arguments->tone);
+    settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
+    settings.size("size", options->size, "Width and height of the window");
+    settings.flag("no-panels", options->hasNoPanels, "Begin without panels (Tab shows them)");
+    declareCamera(settings, options->view);
+    declareTone(settings, options->tone);
     settings.beginGroup("Device");
-    declareDevice(settings, arguments->device);
-    declareThreads(settings, arguments->threads);
-    declareTraversal(settings, "traversal", arguments->traversal, "How rays find triangles");
-    declareTraversal(settings, "split", arguments->secondTraversal,
+    declareDevice(settings, options->device);
+    declareThreads(settings, options->threads);
+    declareTraversal(settings, "traversal", options->traversal, "How rays find triangles");
+    declareTraversal(settings, "split", options->secondTraversal,
                      "Another traversal on the right half of the window");
-    declareIntegrator(settings, arguments->path, kFilmIntegrators);
+    declareIntegrator(settings, options->path, kFilmIntegrators);
     std::vector<std::string> views;
     for (const render::ViewName& known : render::kViewNames) {
         views.emplace_back(known.name);
     }
-    settings.word("view", arguments->shown, std::move(views),
-                  "What the window shows in place of the picture");
+    settings.word("view", options->shown, std::move(views), "What the window shows in place of the picture");
     settings
-        .text("shaders", arguments->shaderFolder,
+        .text("shaders", options->shaderFolder,
               "Folder of shaders that is watched for changes (default: the one of the build)")
         .withValueName("DIR");
-    declarePath(settings, arguments->path, arguments->samplesPerPixel);
-    declareLight(settings, arguments->light);
-    declareImport(settings, arguments->import);
-    declareStructure(settings, arguments->structure);
+    declarePath(settings, options->path, options->samplesPerPixel);
+    declareLight(settings, options->light);
+    declareImport(settings, options->import);
+    declareStructure(settings, options->structure);
     command.footer = "Keys are listed in the window.\n\nExample:\n  build/metamarch view scenes/objects.glb";
-    command.run = [arguments](const SettingList& given) {
-        chooseTone(given, arguments->path.integrator, arguments->tone);
-        const Threads threads(arguments->threads);
-        runView(*arguments);
+    command.run = [options](const SettingList& given) {
+        chooseTone(given, options->path.integrator, options->tone);
+        const Threads threads(options->threads);
+        runView(*options);
     };
     return command;
 }

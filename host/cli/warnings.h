@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the user should know of a scene that is read all the same.
+// Prints what the user should know about a scene that is read in spite of its flaws.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace metamarch::cli {
 
-// On stderr, a line each.
+// Prints a line each on stderr.
 void printWarnings(const std::vector<std::string>& warnings);
 
 } // namespace metamarch::cli

@@ -43,7 +43,7 @@ Setting::Access skyAccess(LightChoice& light) {
             [&light] { return std::string(light.kind == Kind::sky ? "on" : "off"); }};
 }
 
-// Where the sun stands, in radians.
+// The direction of the sun in radians.
 struct SunAngles {
     float elevation;
     float azimuth;
@@ -56,7 +56,8 @@ SunAngles anglesOf(const std::string& text) {
     if (given == glm::dvec3(0.0)) {
         throw Error(ErrorKind::invalidArgument, "give a direction, not 0,0,0");
     }
-    // The float next to pi / 2 is greater, and would put a sun at the zenith onto the other side of it.
+    // The float nearest to pi / 2 is greater than pi / 2, and would put a sun at the zenith onto the other
+    // side.
     const float zenith = std::nextafter(std::numbers::pi_v<float> / 2.0f, 0.0f);
     const auto elevation = static_cast<float>(std::atan2(given.y, std::hypot(given.x, given.z)));
     return {std::clamp(elevation, -zenith, zenith), static_cast<float>(std::atan2(given.z, given.x))};

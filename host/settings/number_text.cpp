@@ -30,7 +30,7 @@ std::optional<Number> numberIn(std::string_view text) {
     return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
 
-// Returns the numbers between the separators, or nothing where one of them is no number.
+// Returns the numbers between the separators, or none if one of them is no number.
 template <class Number>
 std::vector<Number> numbersIn(std::string_view text, const char separator) {
     std::vector<Number> numbers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The settings of a picture, family by family: each function declares how its struct is set.
+// Declares the settings of a picture, a function for each struct of the libraries.
 #pragma once
 #include "metamarch/accel/options.h"
 #include "metamarch/image/tone_mapping.h"
@@ -27,11 +27,11 @@ void declareLight(SettingList& list, LightChoice& light);
 void declareImport(SettingList& list, ImportOptions& options);
 void declareStructure(SettingList& list, AccelerationOptions& options);
 
-// Where no tone operator is given: the integrator's own. ambient occlusion and `primary` are shown as they
-// are.
+// Chooses the tone operator by the integrator if the user gives none. `ao` and `primary` are shown without
+// one.
 void chooseTone(const SettingList& list, Integrator integrator, ToneMapping& tone);
 
-// Throw Error(invalidArgument) for values that are each in range and do not go together.
+// Throw Error(invalidArgument) for values that are in range, but exclude each other.
 void checkView(const ViewChoice& view, Integrator integrator);
 void checkStructure(const AccelerationOptions& options);
 

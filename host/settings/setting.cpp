@@ -52,7 +52,7 @@ auto& settingNamed(Settings& settings, const std::string_view name) {
     return *found;
 }
 
-// The value as a word of a shell's command line.
+// Returns the value quoted as a shell wants it.
 std::string shellWord(const std::string& value) {
     if (value.find_first_of(" \t'\"$&;|<>()*?[]`\\") == std::string::npos) {
         return value;

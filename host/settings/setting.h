@@ -31,9 +31,9 @@ struct Slider {
 
 class Setting {
   public:
-    // What the text of a value means to the variable that is set, and back. `set` throws
-    // Error(invalidArgument), saying what to give instead: "give a finite number". `text` is empty where
-    // nothing is chosen.
+    // How the setting writes and reads its variable. `set` takes a value as text. It throws
+    // Error(invalidArgument), saying what to give instead: "give a finite number". `text` returns the value
+    // as text, and "" if nothing is chosen.
     struct Access {
         std::function<void(const std::string&)> set;
         std::function<std::string()> text;
@@ -63,7 +63,7 @@ class Setting {
     bool isChanged() const { return text() != defaultText_; } // since its declaration
     bool isGiven() const { return isGiven_; }                 // set() was called
 
-    // The rest of the declaration.
+    // These complete the declaration.
     Setting& inGroup(const std::string& groupName);
     Setting& withValueName(const std::string& placeholder); // the value's name in the help: "DEG"
     Setting& withShortName(const std::string& letter);      // "o" for -o
@@ -96,11 +96,11 @@ class Setting {
 // the list and must not move.
 class SettingList {
   public:
-    // The group of the settings that are declared from now on.
+    // Puts the settings that are declared from now on into a group.
     void beginGroup(const std::string& name) { group = name; }
 
     Setting& flag(const std::string& name, bool& value, const std::string& help);
-    // The same, for a variable that the flag turns off.
+    // Declares a flag that turns the variable off.
     Setting& flagOff(const std::string& name, bool& value, const std::string& help);
 
     Setting& number(const std::string& name, double& value, const NumberRange& range,
@@ -110,7 +110,7 @@ class SettingList {
                     const std::string& help);
     Setting& number(const std::string& name, std::optional<float>& value, const NumberRange& range,
                     const std::string& help);
-    // Degrees for the user, radians in `value`.
+    // The user gives degrees; `radians` holds radians.
     Setting& angle(const std::string& name, float& radians, const NumberRange& degrees,
                    const std::string& help);
 
@@ -126,7 +126,7 @@ class SettingList {
                    const std::string& help);                                            // x,y,z
     Setting& size(const std::string& name, glm::uvec2& value, const std::string& help); // WxH
 
-    // `names` is an array of a name and a value each, which outlives the list.
+    // `names` is an array of pairs of a name and a value. It outlives the list.
     template <class T, class Names>
     Setting& choice(const std::string& name, T& value, const Names& names, const std::string& help) {
         std::vector<std::string> words;
@@ -150,16 +150,16 @@ class SettingList {
             .oneOf(std::move(words));
     }
 
-    // A name out of `names`; empty: none is chosen.
+    // The value is one of `names`, or empty if none is chosen.
     Setting& word(const std::string& name, std::string& value, std::vector<std::string> names,
                   const std::string& help);
-    // Words with commas between, each out of `names` where there are some.
+    // The value is a list of words, with commas between them. oneOf() restricts the words.
     Setting& words(const std::string& name, std::vector<std::string>& value, const std::string& help);
 
     Setting& positional(const std::string& name, std::string& value, const std::string& help);
     Setting& positionals(const std::string& name, std::vector<std::string>& value, const std::string& help);
 
-    // Any other: see Setting::Access.
+    // Declares a setting of any other kind: see Setting::Access.
     Setting& add(const std::string& name, Setting::Kind kind, Setting::Access access,
                  const std::string& help);
 
@@ -168,8 +168,8 @@ class SettingList {
     Setting& at(std::string_view name); // throws std::out_of_range
     const Setting& at(std::string_view name) const;
 
-    // "--max-bounces 2 --sky": what differs from the defaults, as the command line takes it. Positionals and
-    // the names in `without` are left out.
+    // Returns the settings that differ from their defaults as the command line takes them: "--max-bounces 2
+    // --sky". Leaves out positionals and the names in `without`.
     std::string changedText(std::span<const std::string_view> without = {}) const;
 
   private:

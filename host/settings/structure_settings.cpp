@@ -26,7 +26,7 @@ Setting::Access unitAccess(std::optional<glm::dvec3>& unit) {
             [&unit] { return unit ? fmt::format("{},{},{}", unit->x, unit->y, unit->z) : ""; }};
 }
 
-// Read as a number: 1e6 is a count of cells, and an unsigned integer would take -5 for 2^64 - 5.
+// Reads a real number, so that 1e6 is a count of cells, and so that -5 is refused and not taken for 2^64 - 5.
 Setting::Access cellsAccess(std::optional<std::uint64_t>& cells) {
     static constexpr double kFarOverTheLimit = 0x1p62;
     return {[&cells](const std::string& text) {

@@ -4,9 +4,11 @@ import hashlib
 import json
 import os
 import stat
+import struct
 import subprocess
 import threading
 
+from arguments_test import png, triangle
 from program import SCENES, ProgramTest, as_nobody, main, metamarch, unshare
 
 CORNELL = SCENES / "cornell.glb"
@@ -116,6 +118,21 @@ class OutputTest(ProgramTest):
                 line = self.refuse(2, "render", "scene.glb", "-o", "a.png", *SMALL, "--stats", name)
                 self.assertEqual(line, "--stats and SCENE name the same file")
                 self.assertEqual(scene.read_bytes(), CORNELL.read_bytes())
+
+    def test_no_result_replaces_what_the_scene_names(self):
+        png(self.tmp / "wood.png", (9, 9, 9))
+        (self.tmp / "a.bin").write_bytes(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0))
+        triangle(self.tmp / "scene.gltf", buffers=[{"byteLength": 36, "uri": "a.bin"}], images=[{"uri": "wood.png"}])
+        (self.tmp / "scene.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
+        (self.tmp / "a.mtl").write_text("newmtl m\nmap_Kd wood.png\n")
+        for scene, name, words in (("scene.gltf", "wood.png", ("-o", "wood.png")), ("scene.gltf", "a.bin", ("-o", "b.png", "--stats", "a.bin")),
+                                   ("scene.obj", "a.mtl", ("-o", "b.png", "--stats", "a.mtl")), ("scene.obj", "wood.png", ("-o", "wood.png"))):
+            with self.subTest(scene=scene, name=name):
+                before = (self.tmp / name).read_bytes()
+                line = self.refuse(2, "render", scene, *SMALL, *words)
+                self.assertRegex(line, rf"\A--(output|stats) and SCENE's {name} name the same file\Z")
+                self.assertEqual((self.tmp / name).read_bytes(), before)
+        self.assertEqual(self.refuse(2, "bench", "traversal", "scene.gltf", "--json", "a.bin"), "--json and SCENE's a.bin name the same file")
 
     def test_mode_and_owner_are_kept(self):
         for name in ("a.png", "s.json"):
