@@ -48,56 +48,29 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
         bindings_.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
     try {
+        kernel_ = device.compile(
+            {{info.spirv.begin(), info.spirv.end()}, bindings_, pushConstantSize_, info.specialization});
         createDescriptorSet();
-        createPipeline(info);
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));
     }
 }
 
 void ComputePipeline::createDescriptorSet() {
-    std::vector<vk::DescriptorSetLayoutBinding> bindings;
     std::map<vk::DescriptorType, uint32_t> counts;
     for (const auto& [binding, type] : bindings_) {
-        bindings.emplace_back(binding, type, 1, vk::ShaderStageFlagBits::eCompute);
         ++counts[type];
     }
-    const vk::raii::Device& device = device_->handle();
-    descriptorSetLayout_ = {device, vk::DescriptorSetLayoutCreateInfo({}, bindings)};
-
     std::vector<vk::DescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts) {
         sizes.emplace_back(type, count);
     }
     // The RAII set frees itself, which requires this flag of the pool.
+    const vk::raii::Device& device = device_->handle();
     descriptorPool_ = {
         device, vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes)};
-    vk::raii::DescriptorSets sets(device, {*descriptorPool_, *descriptorSetLayout_});
+    vk::raii::DescriptorSets sets(device, {*descriptorPool_, *kernel_->descriptorSetLayout});
     descriptorSet_ = std::move(sets.front());
-}
-
-void ComputePipeline::createPipeline(const KernelInfo& info) {
-    const vk::PushConstantRange pushConstants(vk::ShaderStageFlagBits::eCompute, 0, pushConstantSize_);
-    vk::PipelineLayoutCreateInfo layoutInfo({}, *descriptorSetLayout_);
-    if (pushConstantSize_ != 0) {
-        layoutInfo.setPushConstantRanges(pushConstants);
-    }
-    const vk::raii::Device& device = device_->handle();
-    pipelineLayout_ = {device, layoutInfo};
-
-    std::vector<vk::SpecializationMapEntry> entries;
-    std::vector<uint32_t> values;
-    for (const auto& [constantId, value] : info.specialization) {
-        entries.emplace_back(constantId, static_cast<uint32_t>(values.size() * sizeof value), sizeof value);
-        values.push_back(value);
-    }
-    const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
-                                                values.size() * sizeof(uint32_t), values.data());
-    const vk::raii::ShaderModule module(device, {{}, info.spirv.size_bytes(), info.spirv.data()});
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                  &specialization);
-    pipeline_ = {device, device_->pipelineCache(),
-                 vk::ComputePipelineCreateInfo({}, stage, *pipelineLayout_)};
 }
 
 void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {

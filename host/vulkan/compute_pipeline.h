@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,13 +43,12 @@ class ComputePipeline {
 
     const std::string& name() const { return name_; }
     uint32_t pushConstantSize() const { return pushConstantSize_; }
-    vk::Pipeline handle() const { return *pipeline_; }
-    vk::PipelineLayout layout() const { return *pipelineLayout_; }
+    vk::Pipeline handle() const { return *kernel_->pipeline; }
+    vk::PipelineLayout layout() const { return *kernel_->layout; }
     vk::DescriptorSet descriptorSet() const { return *descriptorSet_; }
 
   private:
     void createDescriptorSet();
-    void createPipeline(const KernelInfo& info);
     void bindTexels(uint32_t binding, const Buffer& buffer);
 
     const Device* device_;
@@ -57,11 +57,9 @@ class ComputePipeline {
     std::map<uint32_t, vk::DescriptorType> bindings_;
     std::map<uint32_t, vk::Format> texelFormats_;
     std::map<uint32_t, vk::raii::BufferView> views_;
-    vk::raii::DescriptorSetLayout descriptorSetLayout_ = nullptr;
+    std::shared_ptr<const CompiledKernel> kernel_; // pipelines of the same kernel share it
     vk::raii::DescriptorPool descriptorPool_ = nullptr;
     vk::raii::DescriptorSet descriptorSet_ = nullptr;
-    vk::raii::PipelineLayout pipelineLayout_ = nullptr;
-    vk::raii::Pipeline pipeline_ = nullptr;
 };
 
 } // namespace metamarch::vulkan

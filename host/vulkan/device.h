@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An open device with a compute queue, a command pool and a pipeline cache.
 #pragma once
+#include "metamarch/vulkan/compiled_kernel.h"
 #include "metamarch/vulkan/context.h"
 #include "metamarch/vulkan/device_report.h"
 #include "metamarch/vulkan/pipeline_cache.h"
@@ -30,7 +31,10 @@ class Device {
     const vk::raii::PhysicalDevice& physicalDevice() const { return *physicalDevice_; }
     const vk::raii::Queue& queue() const { return queue_; }
     const vk::raii::CommandPool& commandPool() const { return commandPool_; }
-    const vk::raii::PipelineCache& pipelineCache() const { return pipelineCache_.handle(); }
+    // See CompiledKernels.
+    std::shared_ptr<const CompiledKernel> compile(KernelSource source) const {
+        return kernels_.compile(device_, pipelineCache_.handle(), std::move(source));
+    }
     const vk::PhysicalDeviceMemoryProperties& memoryProperties() const { return memoryProperties_; }
 
   private:
@@ -43,6 +47,7 @@ class Device {
     vk::raii::Queue queue_;
     vk::raii::CommandPool commandPool_;
     PipelineCache pipelineCache_;
+    mutable CompiledKernels kernels_;
 };
 
 } // namespace metamarch::vulkan

@@ -66,6 +66,29 @@ TEST_F(ComputeTest, defaultOfASpecializationConstantHolds) {
     EXPECT_EQ(download<uint32_t>(device_, outputs_), countUp(kCount));
 }
 
+TEST_F(ComputeTest, pipelinesOfTheSameKernelShareIt) {
+    const ComputePipeline first = affineKernel(device_, 21);
+    const ComputePipeline same = affineKernel(device_, 21);
+    const ComputePipeline other = affineKernel(device_, 22);
+    EXPECT_EQ(first.handle(), same.handle());
+    EXPECT_NE(first.descriptorSet(), same.descriptorSet());
+    EXPECT_NE(first.handle(), other.handle());
+}
+
+// More kernels than are kept. The pipelines of those that are dropped go on.
+TEST_F(ComputeTest, manyKernels) {
+    ComputePipeline oldest = affineKernel(device_, 100);
+    oldest.bind(kAffineInputs, inputs_);
+    oldest.bind(kAffineOutputs, outputs_);
+    for (uint32_t factor = 101; factor < 150; ++factor) {
+        const ComputePipeline newer = affineKernel(device_, factor);
+    }
+    Submission(device_).run([&](Commands& commands) {
+        commands.dispatch(oldest, kGroups, AffinePush{1, kCount});
+    });
+    EXPECT_EQ(download<uint32_t>(device_, outputs_), affine(countUp(kCount), 100, 1));
+}
+
 TEST_F(ComputeTest, commandsSeeWhatEarlierOnesWrote) {
     const Buffer between(device_, BufferUse::storage, outputs_.size(), "between");
     ComputePipeline first = affineKernel(device_, 2);
