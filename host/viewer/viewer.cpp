@@ -2,7 +2,6 @@
 #include "metamarch/viewer/viewer.h"
 
 #include "metamarch/error/error.h"
-#include "metamarch/file/input_file.h"
 #include "metamarch/reference/eye_media.h"
 #include "metamarch/render/stopwatch.h"
 #include "metamarch/render/view_names.h"
@@ -13,6 +12,7 @@
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
 #include "metamarch/viewer/presenter.h"
+#include "metamarch/viewer/scene_source.h"
 #include "metamarch/viewer/shader_reload.h"
 #include "metamarch/viewer/split_view.h"
 #include "metamarch/vulkan/context.h"
@@ -33,18 +33,13 @@ constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
 
-bool isMap(const std::filesystem::path& file) {
-    const std::string ending = lowerCaseEnding(file);
-    return ending == ".hdr" || ending == ".exr";
-}
-
 class Viewer {
   public:
     explicit Viewer(const ViewerOptions& usedOptions)
         : options(usedOptions), window(system, options.size, "metamarch"),
           context(system.instanceExtensions()), device(context, options.device, vulkan::DeviceUse::window),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          splitView(device) {
+          scenes(options.scene), splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -57,7 +52,7 @@ class Viewer {
                 state.runnable.emplace_back(traversal);
             }
         }
-        askForScene();
+        scenes.ask(state);
     }
 
     ~Viewer() {
@@ -74,14 +69,14 @@ class Viewer {
         Stopwatch frame;
         while (!window.isClosing()) {
             const double nap = quietFrames < kFramesAfterEvent ? 0.0
-                               : loader.isBusy()               ? kBusySeconds
+                               : scenes.isBusy()               ? kBusySeconds
                                                                : kIdleSeconds;
             const Stopwatch asleep;
             const Input input = window.poll(nap);
             quietFrames = asleep.seconds() < nap ? 0 : quietFrames + 1;
             const double seconds = std::exchange(frame, Stopwatch()).seconds();
             takeScene();
-            takeDropped(input);
+            scenes.takeDropped(input.dropped, state);
             reloadWhatChanged();
             if (!presenter.beginFrame()) {
                 quietFrames = kFramesAfterEvent; // minimised
@@ -111,29 +106,8 @@ class Viewer {
   private:
     // --- scenes ---
 
-    void askForScene() {
-        SceneRequest request = options.scene;
-        request.file = state.file;
-        request.import = state.settings.import;
-        request.light = state.settings.light;
-        request.path = state.settings.path;
-        request.hiddenMeshes = state.settings.hiddenMeshes;
-        request.reading = reading;
-        watchFile();
-        loader.ask(std::move(request));
-        state.busy = fmt::format("reading {} ...", state.file.filename().string());
-    }
-
-    // Called before the file is read, so that a change during the reading counts.
-    void watchFile() {
-        if (watchedFile != state.file) {
-            watchedFile = state.file;
-            fileWatch.watch({watchedFile});
-        }
-    }
-
     void takeScene() {
-        std::optional<SceneLoader::Answer> answer = loader.take();
+        std::optional<SceneLoader::Answer> answer = scenes.take();
         if (!answer) {
             return;
         }
@@ -142,7 +116,7 @@ class Viewer {
             if (!state.scene) {
                 throw *answer->refusal;
             }
-            goBack(answer->refusal->what());
+            scenes.goBack(answer->refusal->what(), state);
             return;
         }
         try {
@@ -151,22 +125,8 @@ class Viewer {
             if (!state.scene || isLost()) {
                 throw;
             }
-            goBack(error.what());
+            scenes.goBack(error.what(), state);
         }
-    }
-
-    // Shows the refusal and resets the settings to those of the scene that is shown.
-    void goBack(const std::string& refusal) {
-        state.say(refusal);
-        const SceneRequest& shown = state.scene->request;
-        state.file = shown.file;
-        state.settings.import = shown.import;
-        state.settings.light = shown.light;
-        state.settings.hiddenMeshes = shown.hiddenMeshes;
-        state.settings.path.integrator = shown.path.integrator;
-        state.settings.path.brdf = shown.path.brdf;
-        reading = shown.reading;
-        watchFile();
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
@@ -204,24 +164,9 @@ class Viewer {
         return firstCamera(loaded, state.aspect());
     }
 
-    void takeDropped(const Input& input) {
-        for (const std::filesystem::path& file : input.dropped) {
-            if (isMap(file)) {
-                state.settings.light.kind = LightChoice::Kind::map;
-                state.settings.light.map = file;
-            } else {
-                state.file = file;
-                state.settings.hiddenMeshes.clear();
-                state.settings.import.variant.clear();
-                state.settings.import.time.reset();
-            }
-            askForScene();
-        }
-    }
-
     void reloadWhatChanged() {
-        if (fileWatch.hasChanged()) {
-            readAgain();
+        if (scenes.hasFileChanged()) {
+            scenes.readAgain(state);
         }
         if (deviceScene && shaders.hasChanged()) {
             compileShaders();
@@ -237,11 +182,6 @@ class Viewer {
         state.shaderError = error;
         state.say(error.empty() ? "shaders compiled anew"
                                 : "shader error: " + error.substr(0, error.find('\n')));
-    }
-
-    void readAgain() {
-        reading = ++newestReading;
-        askForScene();
     }
 
     // --- actions of keys and buttons ---
@@ -264,7 +204,7 @@ class Viewer {
         } else if (action == Action::saveExr) {
             save(".exr");
         } else if (action == Action::reload) {
-            readAgain();
+            scenes.readAgain(state);
         }
     }
 
@@ -296,7 +236,7 @@ class Viewer {
                                   before.hiddenMeshes != now.hiddenMeshes ||
                                   before.path.shading() != now.path.shading();
         if (isOtherScene) {
-            askForScene();
+            scenes.ask(state);
         }
         const bool isOtherPicture = cameraBefore != state.camera || before.path != now.path ||
                                     before.view != now.view || before.heatMax != now.heatMax ||
@@ -406,8 +346,7 @@ class Viewer {
     Presenter presenter;
     ShaderReload shaders;
     PictureSaver saver;
-    SceneLoader loader;
-    FileWatch fileWatch;
+    SceneSource scenes;
     Controls controls;
     ViewerState state;
 
@@ -417,9 +356,6 @@ class Viewer {
     bool isHalted = false; // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};
     int quietFrames = 0; // number of frames since something happened
-    std::filesystem::path watchedFile;
-    std::uint32_t reading = 0; // SceneRequest::reading
-    std::uint32_t newestReading = 0;
 };
 
 } // namespace

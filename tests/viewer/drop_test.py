@@ -2,6 +2,7 @@
 """Files dropped on the window: scenes, environment maps, and other files."""
 import subprocess
 
+from panel_test import animated
 from viewer import CORNELL, OBJECTS, ViewerTest, main, triangle
 
 
@@ -41,8 +42,10 @@ class DropTest(ViewerTest):
         viewer.wait_for_title(r"objects\.glb - path, 2 of 2 samples - meta_table - metamarch")
         self.quit(viewer)
 
-    def test_a_scene_with_fewer_cameras(self):
-        viewer = self.open(CORNELL, "--spp", "2")
+    def test_a_scene_with_less_to_choose_from(self):
+        first = self.tmp / "animated.gltf"
+        animated(first)
+        viewer = self.open(first, "--spp", "2", "--time", "1", "--animation", "walk", "--variant", "red")
         plain = self.tmp / "plain.gltf"
         triangle(plain)
         viewer.drop(plain)

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "metamarch/viewer/scene_source.h"
+
+#include "metamarch/file/input_file.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace metamarch::viewer {
+namespace {
+
+bool isMap(const std::filesystem::path& file) {
+    const std::string ending = lowerCaseEnding(file);
+    return ending == ".hdr" || ending == ".exr";
+}
+
+} // namespace
+
+void SceneSource::ask(ViewerState& state) {
+    SceneRequest request = first_;
+    request.file = state.file;
+    request.import = state.settings.import;
+    request.light = state.settings.light;
+    request.path = state.settings.path;
+    request.hiddenMeshes = state.settings.hiddenMeshes;
+    request.reading = reading_;
+    watch(state.file);
+    loader_.ask(std::move(request));
+    state.busy = fmt::format("reading {} ...", state.file.filename().string());
+}
+
+void SceneSource::readAgain(ViewerState& state) {
+    reading_ = ++newestReading_;
+    ask(state);
+}
+
+void SceneSource::takeDropped(const std::vector<std::filesystem::path>& files, ViewerState& state) {
+    for (const std::filesystem::path& file : files) {
+        if (isMap(file)) {
+            state.settings.light.kind = LightChoice::Kind::map;
+            state.settings.light.map = file;
+        } else {
+            const ImportOptions& before = state.settings.import;
+            state.file = file;
+            state.settings.hiddenMeshes.clear();
+            // Another file has other scenes, variants and animations.
+            state.settings.import = {.scale = before.scale,
+                                     .allowMissingTextures = before.allowMissingTextures};
+        }
+        ask(state);
+    }
+}
+
+void SceneSource::goBack(const std::string& refusal, ViewerState& state) {
+    state.say(refusal);
+    const SceneRequest& shown = state.scene->request;
+    state.file = shown.file;
+    state.settings.import = shown.import;
+    state.settings.light = shown.light;
+    state.settings.hiddenMeshes = shown.hiddenMeshes;
+    state.settings.path.integrator = shown.path.integrator;
+    state.settings.path.brdf = shown.path.brdf;
+    reading_ = shown.reading;
+    watch(state.file);
+}
+
+// Called before the file is read, so that a change during the reading counts.
+void SceneSource::watch(const std::filesystem::path& file) {
+    if (watchedFile_ != file) {
+        watchedFile_ = file;
+        fileWatch_.watch({watchedFile_});
+    }
+}
+
+} // namespace metamarch::viewer

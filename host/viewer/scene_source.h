@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Where the window's scenes come from: asks for them, watches their files, and goes back where one is
+// refused.
+#pragma once
+#include "metamarch/viewer/file_watch.h"
+#include "metamarch/viewer/scene_loader.h"
+#include "metamarch/viewer/viewer_state.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace metamarch::viewer {
+
+class SceneSource {
+  public:
+    // `first` is the scene of the command line. Later ones have its structure.
+    explicit SceneSource(const SceneRequest& first) : first_(first) {}
+
+    // Asks for the scene that the state's file and settings describe.
+    void ask(ViewerState& state);
+    // The same, and reads the files even if nothing else has changed.
+    void readAgain(ViewerState& state);
+    // Asks for each of the files: a scene, or a map that lights the present one.
+    void takeDropped(const std::vector<std::filesystem::path>& files, ViewerState& state);
+
+    bool isBusy() const { return loader_.isBusy(); }
+    bool hasFileChanged() { return fileWatch_.hasChanged(); } // see FileWatch
+    std::optional<SceneLoader::Answer> take() { return loader_.take(); }
+
+    // Shows the refusal, and resets file and settings to those of the scene that is shown.
+    void goBack(const std::string& refusal, ViewerState& state);
+
+  private:
+    void watch(const std::filesystem::path& file);
+
+    const SceneRequest& first_;
+    SceneLoader loader_;
+    FileWatch fileWatch_;
+    std::filesystem::path watchedFile_;
+    std::uint32_t reading_ = 0; // SceneRequest::reading
+    std::uint32_t newestReading_ = 0;
+};
+
+} // namespace metamarch::viewer
