@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A ray leaves a tested leaf through its exit box, so every triangle in that box must have been tested.
 #include "accel/overlap.h"
+#include "fixtures/named_scene.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/cell_box.h"
@@ -9,35 +10,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ostream>
 
 namespace metamarch::tests {
 namespace {
 
-struct BoxCase {
-    const char* name;
-    Scene (*make)();
-    AccelerationOptions options;
-};
+Scene sphereOnPlane() { return sphereOnFloor(24, 12, 100.0f); }
 
-void PrintTo(const BoxCase& boxCase, std::ostream* out) { *out << boxCase.name; }
-
-Scene sphereOnPlane() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 24, 12);
-    addPlane(scene, 0.0f, 100.0f);
-    return scene;
-}
-
-const BoxCase kCases[] = {
-    {"empty", [] { return Scene{}; }, {}},
+const NamedScene kCases[] = {
+    {"empty", noTriangles, {}},
     {"unit_cube_integer_planes", unitCube, {glm::dvec3(0.125), {}, {}}},
     {"soup", [] { return triangleSoup(600, 1); }, {}},
     {"soup_anisotropic", [] { return triangleSoup(600, 1); }, {glm::dvec3(0.01, 0.3, 0.05), {}, {}}},
     {"sphere_on_plane", sphereOnPlane, {}},
 };
 
-class ExitBoxes : public testing::TestWithParam<BoxCase> {
+class ExitBoxes : public testing::TestWithParam<NamedScene> {
   protected:
     const Scene scene = GetParam().make();
     const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);

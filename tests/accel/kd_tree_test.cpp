@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All users of the tree rely on this: its leaves tile the lattice, and each lists all of its triangles.
 #include "accel/overlap.h"
+#include "fixtures/named_scene.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
 
@@ -10,18 +11,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <ostream>
 
 namespace metamarch::tests {
 namespace {
-
-struct TreeCase {
-    const char* name;
-    Scene (*make)();
-    AccelerationOptions options;
-};
-
-void PrintTo(const TreeCase& treeCase, std::ostream* out) { *out << treeCase.name; }
 
 Scene soup() { return triangleSoup(600, 1); }
 
@@ -40,12 +32,7 @@ Scene flatSoup() {
     return scene;
 }
 
-Scene sphereOnPlane() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 24, 12);
-    addPlane(scene, 0.0f, 100.0f);
-    return scene;
-}
+Scene sphereOnPlane() { return sphereOnFloor(24, 12, 100.0f); }
 
 AccelerationOptions withUnit(const glm::dvec3 unit) { return {unit, {}, {}}; }
 AccelerationOptions withQuantum(const double quantum) {
@@ -56,8 +43,8 @@ AccelerationOptions withQuantum(const double quantum) {
 }
 AccelerationOptions withDepth(const unsigned depth) { return {{}, {}, depth}; }
 
-const TreeCase kCases[] = {
-    {"empty", [] { return Scene{}; }, {}},
+const NamedScene kCases[] = {
+    {"empty", noTriangles, {}},
     {"unit_cube", unitCube, {}},
     {"unit_cube_integer_planes", unitCube, withUnit(glm::dvec3(0.125))},
     {"unit_cube_one_cell", unitCube, withUnit(glm::dvec3(5.0))},
@@ -75,14 +62,14 @@ const TreeCase kCases[] = {
      },
      {}},
     {"sphere_on_plane", sphereOnPlane, {}},
-    {"empty_gcd", [] { return Scene{}; }, withQuantum(0.25)},
+    {"empty_gcd", noTriangles, withQuantum(0.25)},
     {"unit_cube_gcd", unitCube, withQuantum(0.125)},
     {"soup_gcd", soup, withQuantum(1.0 / 200.0)},
     {"soup_gcd_coarse", soup, withQuantum(0.2)},
     {"sphere_on_plane_gcd", sphereOnPlane, withQuantum(0.5)},
 };
 
-class Tree : public testing::TestWithParam<TreeCase> {
+class Tree : public testing::TestWithParam<NamedScene> {
   protected:
     const Scene scene = GetParam().make();
     const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Every cell names the leaf that holds it, no matter how the table saves memory.
 #include "fixtures/expect_error.h"
+#include "fixtures/named_scene.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/meta_table.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
-
-#include <ostream>
 
 namespace metamarch::tests {
 namespace {
@@ -92,19 +91,9 @@ TEST(MetaTable, keepsEqualBricksOnce) {
     EXPECT_EQ(table.leafAt({1022, 1, 1022}), 1u);
 }
 
-Scene stadium() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 48, 24);
-    addPlane(scene, 0.0f, 10000.0f);
-    return scene;
-}
+Scene stadium() { return sphereOnFloor(48, 24, 10000.0f); }
 
-Scene onAFloor() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 100, 50);
-    addPlane(scene, 0.0f, 10.0f);
-    return scene;
-}
+Scene onAFloor() { return sphereOnFloor(100, 50, 10.0f); }
 
 Scene duplicates() {
     Scene scene;
@@ -113,14 +102,6 @@ Scene duplicates() {
     }
     return scene;
 }
-
-struct TableCase {
-    const char* name;
-    Scene (*make)();
-    AccelerationOptions options;
-};
-
-void PrintTo(const TableCase& tableCase, std::ostream* out) { *out << tableCase.name; }
 
 AccelerationOptions merged() {
     AccelerationOptions options;
@@ -134,8 +115,8 @@ AccelerationOptions byDivisors() {
     return options;
 }
 
-const TableCase kCases[] = {
-    {"empty", [] { return Scene{}; }, {}},
+const NamedScene kCases[] = {
+    {"empty", noTriangles, {}},
     {"unit_cube", unitCube, {}},
     {"duplicates", duplicates, {}},
     {"soup", [] { return triangleSoup(2000, 6); }, {}},
@@ -147,7 +128,7 @@ const TableCase kCases[] = {
     {"stadium", stadium, {}},
 };
 
-class MetaTableOf : public testing::TestWithParam<TableCase> {
+class MetaTableOf : public testing::TestWithParam<NamedScene> {
   protected:
     const AccelerationStructure structure = buildAccelerationStructure(GetParam().make(), GetParam().options);
 };

@@ -27,12 +27,12 @@ const std::string kDefaultTraversal(traversals().front());
 constexpr float kManySteps = 24.0f; // some rays take more, most take less
 
 // A scene on the device and on the CPU.
-class BothSides {
+class InspectorOnBothSides {
   public:
     enum class Where { fasterMemory, storageBuffers };
 
-    explicit BothSides(const PathScene& given, const AccelerationOptions& options = {},
-                       const Where where = Where::fasterMemory)
+    explicit InspectorOnBothSides(const PathScene& given, const AccelerationOptions& options = {},
+                                  const Where where = Where::fasterMemory)
         : made(given), structure(buildAccelerationStructure(made.scene, options)), structures(structure),
           shading(shadingOf(made)), primary(makeShadingData(made.scene)),
           sceneBuffers(where == Where::fasterMemory
@@ -133,7 +133,7 @@ class Inspector : public testing::TestWithParam<InspectedScene> {
 // Draws all views with all cameras for the default traversal. For the other traversals it draws only the
 // views that differ, steps and tests, and one view of each program.
 TEST_P(Inspector, drawsWhatTheTwinsDraw) {
-    const BothSides sides(GetParam().make(), GetParam().options);
+    const InspectorOnBothSides sides(GetParam().make(), GetParam().options);
     SceneCamera flat = sides.view();
     flat.projection = SceneCamera::Projection::orthographic;
     flat.verticalExtent = 0.5f * sides.reach();
@@ -181,7 +181,7 @@ class InspectorWork : public testing::Test {
   protected:
     void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
 
-    const BothSides sides{soup()};
+    const InspectorOnBothSides sides{soup()};
 };
 
 TEST_F(InspectorWork, hasANameForEachView) {
@@ -196,7 +196,7 @@ TEST_F(InspectorWork, hasANameForEachView) {
 TEST_F(InspectorWork, drawsAnEmptyScene) {
     PathScene made;
     made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
-    const BothSides empty(made);
+    const InspectorOnBothSides empty(made);
     const Camera camera = empty.camera(9, 9);
     render::Inspector inspector = empty.inspector(kDefaultTraversal, 81);
     for (const render::ViewName& name : render::kViewNames) {
@@ -215,7 +215,7 @@ TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
 }
 
 TEST_F(InspectorWork, storageBuffersDrawTheSame) {
-    const BothSides inStorage(blended(), {}, BothSides::Where::storageBuffers);
+    const InspectorOnBothSides inStorage(blended(), {}, InspectorOnBothSides::Where::storageBuffers);
     ASSERT_EQ(inStorage.memory(), Memory::storage);
     const Camera camera = inStorage.camera(40, 30);
     render::Inspector inspector = inStorage.inspector(kDefaultTraversal, 40 * 30);
@@ -317,7 +317,7 @@ TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
     PathScene made;
     addSphere(made.scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles
     made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
-    const BothSides sides(made, {{}, {}, 0u}); // all in one leaf
+    const InspectorOnBothSides sides(made, {{}, {}, 0u}); // all in one leaf
     const Camera camera = sides.camera(8, 8);
     render::Inspector inspector = sides.inspector("meta_table", 64);
     for (const std::uint32_t view : {kViewSteps, kViewNormals, kViewLeafId}) {

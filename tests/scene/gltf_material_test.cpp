@@ -181,6 +181,15 @@ TEST(GltfMaterial, OutOfRangeIsClamped) {
     EXPECT_EQ(material.alphaCutoff, 0.0f);
 }
 
+TEST(GltfMaterial, AlphaModes) {
+    const auto modeNamed = [](const char* name) {
+        return MaterialFile({{"alphaMode", name}}).material().alphaMode;
+    };
+    EXPECT_EQ(modeNamed("OPAQUE"), AlphaMode::opaque);
+    EXPECT_EQ(modeNamed("MASK"), AlphaMode::mask);
+    EXPECT_EQ(modeNamed("BLEND"), AlphaMode::blend);
+}
+
 TEST(GltfMaterial, SmallExtensions) {
     EXPECT_TRUE(MaterialFile(withExtension("KHR_materials_unlit", Json::object())).material().unlit);
     EXPECT_EQ(MaterialFile(withExtension("KHR_materials_emissive_strength", {{"emissiveStrength", 8}}))

@@ -73,47 +73,6 @@ TEST_F(SharedLooks, EveryExtensionOfTheTestModels) {
     EXPECT_EQ(sheen.materials[0].baseColorTexture.transform * glm::vec3(1, 1, 1), glm::vec2(30, -30));
 }
 
-TEST_F(SharedLooks, AlphaModes) {
-    const Scene scene = load("AlphaBlendModeTest.glb");
-    EXPECT_EQ(material(scene, "MatBlend").alphaMode, AlphaMode::blend);
-    EXPECT_EQ(material(scene, "MatCutoff75").alphaMode, AlphaMode::mask);
-    EXPECT_EQ(material(scene, "MatCutoff75").alphaCutoff, 0.75f);
-    EXPECT_EQ(material(scene, "MatCutoffDefault").alphaCutoff, 0.5f);
-    EXPECT_EQ(material(scene, "MatOpaque").alphaMode, AlphaMode::opaque);
-}
-
-TEST_F(SharedLooks, WrapModes) {
-    const Scene scene = load("TextureSettingsTest.glb");
-    const auto sampler = [&](const char* name) {
-        return scene.textures[material(scene, name).baseColorTexture.texture];
-    };
-    EXPECT_EQ(sampler("TextureMirrorMaterialT").wrapT, TextureWrap::mirroredRepeat);
-    EXPECT_EQ(sampler("TextureMirrorMaterialS").wrapS, TextureWrap::mirroredRepeat);
-    EXPECT_EQ(sampler("TextureClampMaterialT").wrapT, TextureWrap::clampToEdge);
-    EXPECT_EQ(sampler("TextureClampMaterialT").wrapS, TextureWrap::repeat);
-    EXPECT_EQ(sampler("TextureClampMaterialS").minFilter, TextureFilter::nearestMipmapLinear);
-    EXPECT_TRUE(material(scene, "DoubleSidedMaterial").doubleSided);
-}
-
-TEST_F(SharedLooks, Lights) {
-    const Scene lamp = load("LightsPunctualLamp/LightsPunctualLamp.gltf");
-    ASSERT_EQ(lamp.lights.size(), 5u);
-    EXPECT_EQ(lamp.lights[0].name, "Point");
-    EXPECT_EQ(lamp.lights[0].intensity, 15.0f);
-    EXPECT_EQ(lamp.lights[4].intensity, 180.0f);
-    const Scene suzanne = load("IridescenceSuzanne.glb");
-    ASSERT_EQ(suzanne.lights.size(), 1u);
-    EXPECT_EQ(suzanne.lights[0].type, PunctualLight::Type::directional);
-}
-
-TEST_F(SharedLooks, UvSetsAndColors) {
-    const Scene scene = load("MultiUVTest.glb");
-    EXPECT_EQ(scene.texCoords1.size(), scene.positions.size());
-    EXPECT_EQ(scene.materials[0].emissiveTexture.texCoord, 1u);
-    EXPECT_EQ(scene.materials[0].baseColorTexture.texCoord, 0u);
-    EXPECT_EQ(load("BoxVertexColors.glb").colors.size(), 24u);
-}
-
 // The arrow, rotated by 22.5 degrees, must point to the green marker below and to the left of the centre. The
 // arrow's tip, (0.85, 0.85) in its image, is visible where the look-up maps to it.
 TEST_F(SharedLooks, RotatedArrowPointsToTheGreenMarker) {

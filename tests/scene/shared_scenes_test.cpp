@@ -104,22 +104,5 @@ TEST(SharedScenes, CountsAreThoseOfTheTable) {
     }
 }
 
-TEST(SharedScenes, BrokenNormalsAreReported) {
-    const Scene scene = loadScene(tests::sharedScene("gltf/malformed/BoxBadNormals.glb"));
-    ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_TRUE(scene.warnings[0].ends_with(
-        "mesh 'Mesh': 4 normals are zero or not finite; the triangles' own are used there"));
-}
-
-TEST(SharedScenes, CamerasOfTheFile) {
-    const Scene scene = loadScene(tests::sharedScene("gltf/Cameras/Cameras.gltf"));
-    ASSERT_EQ(scene.cameras.size(), 2u);
-    EXPECT_EQ(scene.cameras[0].projection, SceneCamera::Projection::perspective);
-    EXPECT_EQ(scene.cameras[1].projection, SceneCamera::Projection::orthographic);
-    EXPECT_EQ(scene.cameras[0].eye, glm::vec3(0.5f, 0.5f, 3.0f));
-    EXPECT_EQ(scene.cameras[0].forward, glm::vec3(0, 0, -1));
-    EXPECT_EQ(scene.cameras[1].verticalExtent, 2.0f);
-}
-
 } // namespace
 } // namespace metamarch

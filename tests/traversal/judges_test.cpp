@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares the CPU twin of every traversal with brute force, on scenes made in memory.
+#include "fixtures/named_scene.h"
 #include "fixtures/ray_sets.h"
 #include "fixtures/shapes.h"
 #include "metamarch/reference/twins.h"
@@ -9,22 +10,6 @@
 
 namespace metamarch::tests {
 namespace {
-
-struct NamedScene {
-    const char* name;
-    Scene (*make)();
-    AccelerationOptions options;
-};
-
-void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
-
-Scene emptyScene() { return {}; }
-
-Scene oneTriangle() {
-    Scene scene;
-    addTriangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f});
-    return scene;
-}
 
 Scene degenerateOnly() {
     Scene scene;
@@ -43,12 +28,7 @@ Scene coplanarHeap() {
     return scene;
 }
 
-Scene sphereInStadium() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 40, 20);
-    addPlane(scene, 0.0f, 1e4f);
-    return scene;
-}
+Scene sphereInStadium() { return sphereOnFloor(40, 20, 1e4f); }
 
 Scene farAway(const float distance) {
     Scene scene = unitCube();
@@ -77,7 +57,7 @@ AccelerationOptions withQuantum(const double quantum) {
 }
 
 const NamedScene kScenes[] = {
-    {"empty", emptyScene, {}},
+    {"empty", noTriangles, {}},
     {"one_triangle", oneTriangle, {}},
     {"degenerate_only", degenerateOnly, {}},
     {"coplanar_heap", coplanarHeap, {}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rays towards the uneven planes of the rectilinear table, which other ray sets do not hit. The table's twin,
 // which asserts its invariants, is compared with brute force.
+#include "fixtures/named_scene.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/reference/twins.h"
@@ -64,11 +65,6 @@ class PlaneRays {
     std::mt19937 random{12};
 };
 
-struct NamedScene {
-    const char* name;
-    Scene (*make)();
-};
-
 class Rectilinear : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(Rectilinear, findsWhatBruteForceFindsFromPlaneToPlane) {
@@ -99,24 +95,11 @@ TEST_P(Rectilinear, findsWhatBruteForceFindsFromPlaneToPlane) {
     }
 }
 
-Scene emptyScene() { return {}; }
-
-Scene oneTriangle() {
-    Scene scene;
-    addTriangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0.25f});
-    return scene;
-}
-
 // The worst case for a uniform lattice: all of the detail is in a millionth of the floor.
-Scene sphereInStadium() {
-    Scene scene;
-    addSphere(scene, {0, 1, 0}, 1.0f, 30, 15);
-    addPlane(scene, 0.0f, 1e4f);
-    return scene;
-}
+Scene sphereInStadium() { return sphereOnFloor(30, 15, 1e4f); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Rectilinear,
-                         testing::Values(NamedScene{"empty", emptyScene},
+                         testing::Values(NamedScene{"empty", noTriangles},
                                          NamedScene{"one_triangle", oneTriangle},
                                          NamedScene{"unit_cube", unitCube},
                                          NamedScene{"soup", [] { return triangleSoup(500, 9); }},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The structures of the traversals other than the meta table: a ray can find every triangle in each of them.
+#include "fixtures/named_scene.h"
 #include "fixtures/shapes.h"
 #include "metamarch/accel/structure_set.h"
 #include "metamarch/shared/kd_rope.h"
@@ -36,17 +37,12 @@ Scene geometricSeries() {
     return scene;
 }
 
-struct NamedScene {
-    const char* name;
-    Scene (*make)();
-};
-
 const NamedScene kScenes[] = {
     {"unit_cube", unitCube},
     {"soup", [] { return triangleSoup(3000, 4); }},
     {"identical", [] { return identicalTriangles(1000); }},
     {"geometric_series", geometricSeries},
-    {"empty", [] { return Scene{}; }},
+    {"empty", noTriangles},
 };
 
 class Structures : public testing::TestWithParam<NamedScene> {
