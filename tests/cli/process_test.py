@@ -17,6 +17,12 @@ SMALL_ON_ANY = ("--size", "8x8", "--spp", "1", "--backend")
 ENDLESS = ("--size", "256x256", "--spp", "100000", "--backend", "cpu", "--background", "1,1,1")
 
 
+def handles(process, number):
+    """Returns True if the process has a handler for the signal."""
+    caught = re.search(r"SigCgt:\s+(\w+)", Path(f"/proc/{process}/status").read_text())[1]
+    return int(caught, 16) >> (number - 1) & 1 == 1
+
+
 class ProcessTest(ProgramTest):
     def shell(self, script):
         return subprocess.run(["bash", "-c", f"P={metamarch()}; C={CORNELL}; {script}"], cwd=self.tmp, capture_output=True, timeout=60,
@@ -50,13 +56,22 @@ class ProcessTest(ProgramTest):
         run = subprocess.Popen([*before, metamarch(), "render", CORNELL, "-o", "a.exr", *ENDLESS], cwd=self.tmp,
                                stderr=subprocess.PIPE, env={**os.environ, **self.environment})
         self.addCleanup(run.kill)
-        time.sleep(0.3)
-        self.assertIsNone(run.poll())
         return run
+
+    def wait_for(self, run, condition):
+        """Returns the first result of `condition` that is true."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            self.assertIsNone(run.poll())
+            if found := condition():
+                return found
+            time.sleep(0.01)
+        raise TimeoutError(run.args)
 
     def test_signals_end_it(self):
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             run = self.begin_endless()
+            self.wait_for(run, lambda: handles(run.pid, number))
             run.send_signal(number)
             self.assertEqual((run.communicate(timeout=20)[1], run.returncode), (b"", -number))
         self.assertEqual(list(self.tmp.iterdir()), [])
@@ -65,7 +80,8 @@ class ProcessTest(ProgramTest):
         unshare("-p", "-f")
         for number in (signal.SIGTERM, signal.SIGINT):
             run = self.begin_endless("unshare", "-p", "-f")
-            inner = subprocess.run(["pgrep", "-P", str(run.pid)], capture_output=True, text=True, check=True).stdout
+            child = ["pgrep", "-P", str(run.pid)]
+            inner = self.wait_for(run, lambda: subprocess.run(child, capture_output=True, text=True, check=False).stdout)
             # The kernel drops signals to a process 1 that has no handler yet: a busy machine takes a while to start it.
             for _ in range(200):
                 try:

@@ -3,20 +3,30 @@
 
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main().
 """
+import atexit
+import json
 import math
 import os
 import re
+import select
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 SCENES = SOURCE / "scenes"
+LONGEST = 300  # seconds that a run of the program may take
 ALL_SKIPPED = 77  # exit code if all tests were skipped; CTest knows it by SKIP_RETURN_CODE
 
+# The tests of the viewer and of the program run kernels with the same cache as the tests in C++: a driver compiles each
+# kernel once.
+CACHE = Path(tempfile.gettempdir()) / "metamarch-tests"
+
 _metamarch = None
+_servers = threading.local()
 
 
 def metamarch():
@@ -31,6 +41,37 @@ def main():
         sys.exit(1)
     if result.skipped and len(result.skipped) == result.testsRun:
         sys.exit(ALL_SKIPPED)
+
+
+class Server:
+    """A process that runs the program in child processes: see program_server.cpp."""
+
+    def __init__(self, file):
+        self.process = subprocess.Popen([file], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                                        text=True)
+        atexit.register(self.close)
+
+    def close(self):
+        self.process.communicate()
+
+    @classmethod
+    def of_this_thread(cls):
+        """Returns None where METAMARCH_PROGRAM_SERVER names no server: then each call starts the program itself."""
+        file = os.environ.get("METAMARCH_PROGRAM_SERVER")
+        if file and not hasattr(_servers, "server"):
+            _servers.server = cls(file)
+        return getattr(_servers, "server", None)
+
+    def run(self, words, cwd, environment):
+        with tempfile.TemporaryDirectory(prefix="metamarch-streams-") as folder:
+            streams = {name: str(Path(folder) / name) for name in ("stdout", "stderr")}
+            request = {"words": words, "cwd": str(cwd), "environment": environment, **streams}
+            self.process.stdin.write(json.dumps(request) + "\n")
+            self.process.stdin.flush()
+            if not select.select([self.process.stdout], [], [], LONGEST)[0]:
+                raise TimeoutError(f"{words}: not within {LONGEST} s")
+            code = int(self.process.stdout.readline())
+            return subprocess.CompletedProcess(words, code, *(Path(file).read_text() for file in streams.values()))
 
 
 def asset(variable, folder, name):
@@ -88,11 +129,16 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.tmp = Path(folder.name) / "work"
         self.tmp.mkdir()
-        self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(Path(folder.name) / "cache")}
+        self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(CACHE)}
 
-    def run_program(self, *words, cwd=None, stdout=subprocess.PIPE, **environment):
-        return subprocess.run([metamarch(), *words], cwd=cwd or self.tmp, stdout=stdout, stderr=subprocess.PIPE, text=True,
-                              timeout=300, check=False, env={**os.environ, **self.environment, **environment})
+    def run_program(self, *words, cwd=None, **environment):
+        words = [str(word) for word in words]
+        environment = {**os.environ, **self.environment, **environment}
+        server = Server.of_this_thread()
+        if server:
+            return server.run(words, cwd or self.tmp, environment)
+        return subprocess.run([metamarch(), *words], cwd=cwd or self.tmp, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, timeout=LONGEST, check=False, env=environment)
 
     def succeed(self, *words):
         """Runs a call that must succeed without output on stderr; returns its stdout."""
@@ -123,17 +169,19 @@ class ProgramTest(unittest.TestCase):
                 lists[name] = words.split()
         return lists, lacking
 
-    def read_picture(self, name):
-        """Reads a picture with OpenImageIO's tool. Returns {channel: rows of values from the top}."""
-        def oiiotool(*words):
-            return subprocess.run(["oiiotool", *words], cwd=self.tmp, capture_output=True, text=True, check=True).stdout
-
-        channels = re.search(r"channel list: (.*)", oiiotool("--info", "-v", name))[1].split(", ")
-        pixels = re.findall(r"Pixel \((\d+), (\d+)\): (.*)", oiiotool("--dumpdata", name))
+    def read_picture(self, name, wanted=None):
+        """Reads a picture with OpenImageIO's tool. Returns {channel: rows of values from the top}, for all channels or for
+        those that are wanted."""
+        text = subprocess.run(["oiiotool", "--info", "-v", "--dumpdata", name], cwd=self.tmp, capture_output=True, text=True,
+                              check=True).stdout
+        channels = re.search(r"channel list: (.*)", text)[1].split(", ")
+        read = [(i, channel) for i, channel in enumerate(channels) if wanted is None or channel in wanted]
+        pixels = re.findall(r"Pixel \((\d+), (\d+)\): (.*)", text)
         width = 1 + max(int(x) for x, _, _ in pixels)
         height = 1 + max(int(y) for _, y, _ in pixels)
-        picture = {channel: [[math.nan] * width for _ in range(height)] for channel in channels}
+        picture = {channel: [[math.nan] * width for _ in range(height)] for _, channel in read}
         for x, y, values in pixels:
-            for channel, value in zip(channels, values.split()):
-                picture[channel][int(y)][int(x)] = float(value)
+            values = values.split()
+            for i, channel in read:
+                picture[channel][int(y)][int(x)] = float(values[i])
         return picture

@@ -12,6 +12,7 @@ from program import ProgramTest, asset, main
 
 SIDE = 256
 SAMPLES = 16
+READ = ("R", "G", "B", "variance.R", "variance.G", "variance.B")
 BLOCK = 8  # pixels; the mean over a block of this side has 1 / BLOCK of the noise but all of a bias
 TRIMMED = 0.005  # fraction of the worst pixels or blocks that the error leaves out: fireflies, edges of lights
 
@@ -75,13 +76,13 @@ class ReferencesTest(ProgramTest):
                                   "--vfov", str(camera["vfov_degrees"]), *light, "--spp", str(SAMPLES),
                                   "--max-bounces", "8", "--quiet", *words)
         self.assertEqual(result.returncode, 0, result.stderr)  # there may be warnings about the environment
-        return self.read_picture("ours.exr")
+        return self.read_picture("ours.exr", READ)
 
     def expect_same(self, picture, reference, mean_tolerance, model_error=0.0):
         """`model_error` is the difference of the two BRDFs as a fraction of the mean."""
         file = self.folder / "ref" / f"{reference}.exr"
         noise = json.loads(file.with_suffix(".json").read_text())["noise_rel_rmse_trim0p5"]
-        compared = Comparison(picture, self.read_picture(file))
+        compared = Comparison(picture, self.read_picture(file, READ))
         said = (f"{reference}: means {', '.join(f'{r:.4f}' for r in compared.ratios)}; error {compared.error:.4f}, "
                 f"noise {compared.noise:.4f} and {noise:.4f}; of blocks {compared.block_error:.4f}, "
                 f"{compared.block_noise:.4f} and {noise / BLOCK:.4f}")
