@@ -8,7 +8,8 @@
 namespace metamarch::render {
 namespace {
 
-// Tiles on the device at a time: their film is 112 MiB, within every device's maxStorageBufferRange.
+// Tiles on the device at a time: each of the two buffers of their film is 112 MiB, within every device's
+// maxStorageBufferRange.
 constexpr std::uint32_t kMostTiles = 1u << 14u;
 
 } // namespace
@@ -16,18 +17,19 @@ constexpr std::uint32_t kMostTiles = 1u << 14u;
 DeviceRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
                                  const ShadingBuffers& shading, const std::string& traversal,
                                  const PathSettings& settings, const Camera& camera,
-                                 const std::uint32_t samples, const OnProgress& onProgress) {
+                                 const std::uint32_t samples, const std::uint32_t parts,
+                                 const OnProgress& onProgress) {
     const std::uint32_t tiles = Tiling(camera).count;
     const std::uint32_t atOnce = std::min(tiles, kMostTiles);
-    PathTracer tracer(device, scene, shading, traversal, atOnce);
+    PathTracer tracer(device, scene, shading, traversal, atOnce, parts);
     DeviceRender render;
-    render.film.resize(std::size_t{camera.width} * camera.height, emptyPixel());
+    render.film = FilmData(std::size_t{camera.width} * camera.height, parts);
     bool isOn = true;
     for (std::uint32_t first = 0; isOn && first < tiles; first += atOnce) {
         const TileRange band{first, std::min(first + atOnce, tiles)};
         tracer.start(camera, settings, band);
         while (isOn && tracer.samples() < samples) {
-            tracer.advance(samples, PathTracer::kSamplesAtOnce, WorkSize::kTargetSeconds);
+            tracer.advance(samples, kBlockSamples, WorkSize::kTargetSeconds);
             const double part = (first + band.count() * tracer.meanSamples() / samples) / tiles;
             isOn = !onProgress || onProgress(part);
         }

@@ -5,7 +5,7 @@
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
 #include "metamarch/render/work_size.h"
-#include "metamarch/shared/film.h"
+#include "metamarch/shared/film_data.h"
 #include "metamarch/shared/path_input.h"
 #include "metamarch/vulkan/submission.h"
 
@@ -45,23 +45,20 @@ struct PathCounters {
 
 class PathTracer {
   public:
-    // The most samples of a pixel in one dispatch. With several samples, the unequal lengths of paths even
-    // out, and the pixel's sums are read and written only once.
-    static constexpr std::uint32_t kSamplesAtOnce = 16;
-
-    // Allocates a film of `mostTiles` tiles on the device. A `spirv` that is not empty replaces the embedded
-    // kernel. Throws Error(outOfMemory) if the film does not fit.
+    // Allocates a film of `mostTiles` tiles on the device, with the parts kFilm… that `parts` names. A
+    // `spirv` that is not empty replaces the embedded kernel. Throws Error(outOfMemory) if the film does not
+    // fit.
     PathTracer(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
-               const std::string& traversal, std::uint32_t mostTiles,
+               const std::string& traversal, std::uint32_t mostTiles, std::uint32_t parts = 0,
                std::span<const std::uint32_t> spirv = {});
 
     // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
 
     // Takes further samples in one submission of about `targetSeconds`. Passes run over the film from top to
-    // bottom, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample`; one
-    // call is a part of a pass. Returns the tiles that have changed. Throws Error(outOfMemory) if the driver
-    // cuts a traversal short.
+    // bottom, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample` and
+    // none beyond the end of a block (film.h); one call is a part of a pass. Returns the tiles that have
+    // changed. Throws Error(outOfMemory) if the driver cuts a traversal short.
     TileRange advance(std::uint32_t endSample, std::uint32_t samplesAtOnce, double targetSeconds);
 
     // Returns the tiles that have samples.
@@ -73,22 +70,30 @@ class PathTracer {
 
     const PathCounters& counters() const { return sums; }
 
-    // The layout is [tile - tiles.first][pixel in tile]. Only begunTiles() are valid.
+    // The sums of the last block of each pixel, and those of all blocks before it; addPixel makes the pixel
+    // of them. The layout is [tile - tiles.first][pixel in tile]. Only begunTiles() are valid.
     const vulkan::Buffer& film() const { return filmBuffer; }
+    const vulkan::Buffer& total() const { return totalBuffer; }
     const Camera& camera() const { return input.camera; }
 
-    // Copies the film into `pixels`, which holds camera.width * camera.height pixels in rows from the top.
-    // Pixels without samples stay as they are.
-    void download(std::vector<FilmPixel>& pixels) const;
+    // Copies the film into `film`, which holds camera.width * camera.height pixels. Pixels without samples
+    // stay as they are.
+    void download(FilmData& film) const;
 
   private:
     bool dispatch(TileRange part, std::uint32_t endSample);
 
     const vulkan::Device& device;
     std::string traversal;
+    std::uint32_t parts;
     vulkan::ComputePipeline pipeline;
+    vulkan::ComputePipeline addBlock;
     vulkan::Buffer inputBuffer;
     vulkan::Buffer filmBuffer;
+    vulkan::Buffer totalBuffer;
+    vulkan::Buffer lightBuffer; // like filmBuffer and totalBuffer
+    vulkan::Buffer totalLightBuffer;
+    vulkan::Buffer hits;
     vulkan::Buffer status;
     vulkan::Buffer statusReadback;
     vulkan::Submission submission;
@@ -97,10 +102,10 @@ class PathTracer {
     TileRange tiles;
     std::uint32_t tilesPerRow = 0;
     std::uint32_t taken = 0;
-    std::uint32_t passEnd = 0;              // the number of samples that the current pass ends with
-    std::uint32_t next = 0;                 // the next tile of the current pass
-    std::uint32_t fitting = kSamplesAtOnce; // the driver can probably finish this number per dispatch
-    TileRange unfinished;                   // the last part, if the driver did not finish it
+    std::uint32_t passEnd = 0;             // the number of samples that the current pass ends with
+    std::uint32_t next = 0;                // the next tile of the current pass
+    std::uint32_t fitting = kBlockSamples; // the driver can probably finish this number per dispatch
+    TileRange unfinished;                  // the last part, if the driver did not finish it
     PathCounters sums;
 };
 

@@ -55,7 +55,7 @@ Image imageOf(const RenderResult& result) {
     const auto width = static_cast<int>(result.size.x);
     const auto height = static_cast<int>(result.size.y);
     return filmImage(
-        result.film, width, height,
+        result.film.pixels, width, height,
         aovsOf(result.settings.isPrimary() ? AovWriter::everyIntegrator : AovWriter::pathTracer));
 }
 

@@ -53,7 +53,7 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
     vulkan::Submission submission(device);
 
     DeviceRender render;
-    render.film.resize(std::size_t{camera.width} * camera.height, emptyPixel());
+    render.film = FilmData(std::size_t{camera.width} * camera.height, 0);
     bool isOn = true;
     for (std::uint32_t firstTile = 0; isOn && firstTile < tiles;) {
         const std::uint32_t count = std::min(work.units(), tiles - firstTile);
@@ -66,7 +66,7 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
             const auto tile = tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>();
-            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.film)) {
+            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.film.pixels)) {
                 refuseCutShort(kCutShort, device, traversal);
             }
         }

@@ -54,7 +54,7 @@ RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const Re
     const Stopwatch stopwatch;
     draw(result, path, watch);
     result.seconds.render = stopwatch.seconds();
-    result.counts = countOf(result.film);
+    result.counts = countOf(result.film.pixels);
     if (result.counts.rejected > 0) {
         result.warnings.push_back(
             fmt::format("{} samples were not finite and are left out", result.counts.rejected));
@@ -79,11 +79,11 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
         result.traversal = "kd_stack";
         if (settings.isPrimary()) {
             const ShadingData shading = makeShadingData(*scene.scene);
-            result.film = renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle,
+            result.film.pixels = renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle,
                                              camera, watch);
         } else {
             result.film = renderPathsOnCpu(*scene.structure, *scene.shading, path, camera,
-                                           settings.samplesPerPixel, watch);
+                                           settings.samplesPerPixel, settings.filmParts, watch);
         }
     };
     return renderBy(scene, camera, settings, onProgress, draw);
@@ -103,7 +103,7 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
                  result);
         } else {
             take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal, path,
-                                     camera, settings.samplesPerPixel, watch),
+                                     camera, settings.samplesPerPixel, settings.filmParts, watch),
                  result);
         }
     };

@@ -9,7 +9,7 @@
 #include "metamarch/reference/rows.h"
 #include "metamarch/render/device_scene.h"
 #include "metamarch/shared/camera.h"
-#include "metamarch/shared/film.h"
+#include "metamarch/shared/film_data.h"
 
 #include <cstdint>
 #include <string>
@@ -20,6 +20,7 @@ namespace metamarch::render {
 struct RenderSettings {
     PathChoice path;
     std::uint32_t samplesPerPixel = 64; // `primary` always takes one
+    std::uint32_t filmParts = 0;        // bits kFilm…, which `primary` does not have
     // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
     std::string traversal{};
 
@@ -46,8 +47,8 @@ struct RenderSeconds {
 struct RenderResult {
     RenderSettings settings; // as the caller gave them
     glm::uvec2 size{0};
-    std::vector<FilmPixel> film; // in rows from the top
-    bool isCancelled = false;    // some pixels have too few samples, or none
+    FilmData film;
+    bool isCancelled = false; // some pixels have too few samples, or none
 
     std::string device; // its name, or "cpu"
     std::string driver;

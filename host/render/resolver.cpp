@@ -13,13 +13,14 @@ constexpr std::uint32_t kMostGroups = 65535; // every device takes this many in 
 
 } // namespace
 
-Resolver::Resolver(const vulkan::Device& device, const vulkan::Buffer& film, const std::uint32_t mostPixels)
+Resolver::Resolver(const vulkan::Device& device, const PathTracer& tracer, const std::uint32_t mostPixels)
     : pictureBuffer(device, vulkan::BufferUse::storage, std::uint64_t{mostPixels} * sizeof(std::uint32_t),
                     "picture"),
-      pipeline(makeKernel(
-          device, "resolve",
-          {.storageBindings = {kBindInput, kBindOutput}, .pushConstantSize = sizeof(ResolvePush)})) {
-    pipeline.bind(kBindInput, film);
+      pipeline(makeKernel(device, "resolve",
+                          {.storageBindings = {kBindInput, kBindTotal, kBindOutput},
+                           .pushConstantSize = sizeof(ResolvePush)})) {
+    pipeline.bind(kBindInput, tracer.film());
+    pipeline.bind(kBindTotal, tracer.total());
     pipeline.bind(kBindOutput, pictureBuffer);
 }
 

@@ -11,11 +11,12 @@
 
 namespace metamarch::render {
 
-// Owns a picture of packed pixels (shared/screen.h), in rows from the top, and refers to its film.
+// Owns a picture of packed pixels (shared/screen.h), in rows from the top, and refers to the film of a path
+// tracer.
 class Resolver {
   public:
-    // Allocates room for pictures of up to `mostPixels` pixels. `film` must outlive the resolver.
-    Resolver(const vulkan::Device& device, const vulkan::Buffer& film, std::uint32_t mostPixels);
+    // Allocates room for pictures of up to `mostPixels` pixels. `tracer` must outlive the resolver.
+    Resolver(const vulkan::Device& device, const PathTracer& tracer, std::uint32_t mostPixels);
 
     // Resolves `tiles` of a picture of size.x * size.y pixels. The film must start with tile 0.
     void resolve(vulkan::Commands& commands, TileRange tiles, glm::uvec2 size,

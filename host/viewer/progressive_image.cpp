@@ -10,9 +10,7 @@ namespace {
 
 // With few samples at a time the picture changes soon and often, which matters at first. With many a sample
 // costs less.
-std::uint32_t samplesAtOnce(const std::uint32_t taken) {
-    return std::clamp(taken / 4, 1u, render::PathTracer::kSamplesAtOnce);
-}
+std::uint32_t samplesAtOnce(const std::uint32_t taken) { return std::clamp(taken / 4, 1u, kBlockSamples); }
 
 } // namespace
 
@@ -104,10 +102,10 @@ const vulkan::Buffer& ProgressiveImage::picture() const {
     return request.view ? inspector->picture() : path->resolver.picture();
 }
 
-std::vector<FilmPixel> ProgressiveImage::film() const {
-    std::vector<FilmPixel> pixels(std::size_t{pictureSize.x} * pictureSize.y);
-    path->tracer.download(pixels);
-    return pixels;
+FilmData ProgressiveImage::film() const {
+    FilmData film(std::size_t{pictureSize.x} * pictureSize.y, 0);
+    path->tracer.download(film);
+    return film;
 }
 
 } // namespace metamarch::viewer

@@ -58,8 +58,8 @@ class ProgressiveImage {
     // The path tracer's counters since its construction; null if it has never run.
     const render::PathCounters* counters() const { return path ? &path->tracer.counters() : nullptr; }
 
-    // Returns the film in rows from the top. Only for the path tracer's picture.
-    std::vector<FilmPixel> film() const;
+    // Returns the film. Only for the path tracer's picture.
+    FilmData film() const;
     // Returns the pixels in rows from the top. Only for a view.
     std::vector<std::uint32_t> viewPixels() const { return inspector->download(); }
 
@@ -67,8 +67,8 @@ class ProgressiveImage {
     struct Path {
         Path(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
              std::uint32_t tiles, std::uint32_t pixels, std::span<const std::uint32_t> spirv)
-            : tracer(device, scene.buffers(), scene.shading(), traversal, tiles, spirv),
-              resolver(device, tracer.film(), pixels) {}
+            : tracer(device, scene.buffers(), scene.shading(), traversal, tiles, 0, spirv),
+              resolver(device, tracer, pixels) {}
 
         render::PathTracer tracer;
         render::Resolver resolver;

@@ -15,8 +15,12 @@ layout(std430, binding = kBindInput) readonly buffer InputBuffer {
     PathSettings settings;
 };
 layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
+layout(std430, binding = kBindTotal) writeonly buffer TotalBuffer { FilmPixel total[]; };
+layout(std430, binding = kBindLight) buffer LightBuffer { LightParts filmLight[]; };
+layout(std430, binding = kBindHits) writeonly buffer HitBuffer { uint firstHits[]; };
 layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus status; };
 layout(push_constant) uniform PushBlock { PathPush push; };
+layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 
 // Finds the closest triangle that is opaque for this path, or any such triangle. The CPU's loop ends in its
 // middle. This one ends only at its end and does all work under a condition, because of llvmpipe.
@@ -54,15 +58,18 @@ void main() {
     }
     const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
     FilmPixel sum = emptyPixel();
+    LightParts lightSum = noLight();
     if (push.isFresh == 0u) {
         sum = film[index];
+        if ((filmParts & kFilmLight) != 0u) {
+            lightSum = filmLight[index];
+        }
     }
     // A sample that the driver ends early is taken again, and counts once.
-    PathSample taken = startSample(camera, settings, pixel.x, pixel.y, sum.samples);
-    bool isOn = sum.samples < push.endSample;
+    PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
+    bool isOn = sum.samples < push.samples;
 
-    // Invariant: `sum` contains all samples before number sum.samples; `taken` is the sample with this
-    // number.
+    // Invariant: `sum` contains the first sum.samples samples of the block; `taken` is the one after them.
     do {
         if (isOn) {
             const Path path = taken.path;
@@ -74,7 +81,7 @@ void main() {
             taken.tests += float(trace.tests);
             ++taken.rays;
             if (trace.hit.triangleId == kNoTriangle) {
-                taken.path = leaveScene(settings, path);
+                taken = afterLeaving(taken, leaveScene(settings, path));
             } else {
                 const TriangleRecord triangle = loadTriangle(trace.recordIndex);
                 const float t = ray.shift + trace.hit.t;
@@ -90,15 +97,21 @@ void main() {
                     taken.tests += float(blocker.tests);
                     ++taken.shadowRays;
                     if (blocker.hit.triangleId == kNoTriangle) {
-                        taken.path.radiance += shadow.gain;
+                        taken = afterShadow(taken, path.bounce, shadow.gain);
                     }
                 }
             }
             if (isWhole && !taken.path.isAlive) {
+                if ((filmParts & kFilmHits) != 0u) {
+                    firstHits[index * kBlockSamples + sum.samples] = taken.first.triangleId;
+                }
+                if ((filmParts & kFilmLight) != 0u) {
+                    lightSum = endSampleLight(lightSum, taken);
+                }
                 sum = endSample(sum, taken);
-                taken = startSample(camera, settings, pixel.x, pixel.y, sum.samples);
+                taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
             }
-            isOn = isWhole && sum.samples < push.endSample;
+            isOn = isWhole && sum.samples < push.samples;
         }
     } while (isOn);
 
@@ -110,7 +123,13 @@ void main() {
     atomicAdd(status.steps, uint(sum.steps - was.steps));
     atomicAdd(status.tests, uint(sum.tests - was.tests));
     film[index] = sum;
-    if (sum.samples < push.endSample) {
+    if (push.isFresh != 0u && push.firstSample == 0u) {
+        total[index].samples = 0u;
+    }
+    if ((filmParts & kFilmLight) != 0u) {
+        filmLight[index] = lightSum;
+    }
+    if (sum.samples < push.samples) {
         atomicAdd(status.unfinished, 1u);
         atomicAdd(status.stuck, sum.samples == was.samples ? 1u : 0u);
     }

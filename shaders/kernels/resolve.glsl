@@ -7,6 +7,7 @@
 #include "shared/tone_mapping.h"
 
 layout(std430, binding = kBindInput) readonly buffer FilmBuffer { FilmPixel film[]; };
+layout(std430, binding = kBindTotal) readonly buffer TotalBuffer { FilmPixel total[]; };
 layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
 layout(push_constant) uniform PushBlock { ResolvePush push; };
 
@@ -16,7 +17,8 @@ void main() {
     if (pixel.x >= push.width || pixel.y >= push.height) {
         return;
     }
-    const FilmPixel sum = film[tile * kTilePixels + gl_LocalInvocationIndex];
+    const uint index = tile * kTilePixels + gl_LocalInvocationIndex;
+    const FilmPixel sum = addPixel(total[index], film[index]);
     const vec3 shown = toneMapped(push.toneOperator, push.scale, meanRadiance(sum));
     picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packedLinear(shown);
 }

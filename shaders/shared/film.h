@@ -26,8 +26,13 @@ SHARED_FN FirstHit missFirst() {
 // The largest radiance of a sample; larger ones are rejected. The sums of squares stay finite.
 const float kLargestRadiance = 1.0e15f;
 
-// Sums over the samples of a pixel. Samples are added in their order, so that the sums do not depend on how
-// the work is divided.
+// A block is the samples [k * kBlockSamples, (k + 1) * kBlockSamples) of a pixel. Sums of floats depend on
+// their order, so this order is fixed: a block's sum begins empty and gains its samples in their order, and a
+// pixel's sum gains its blocks in their order. However a render is divided, in time or in parts, its sums
+// have the same bits.
+const uint kBlockSamples = 16u;
+
+// Sums over samples of a pixel.
 struct FilmPixel {
     vec3 radiance;
     uint samples;  // number of samples taken, with rejected ones
@@ -76,11 +81,99 @@ SHARED_FN FilmPixel addSample(const FilmPixel sum, const vec3 radiance, const Fi
     return added;
 }
 
+// Returns the sum of a pixel's earlier blocks and of the block after them. What `sum` holds does not matter
+// if its number of samples is 0.
+SHARED_FN FilmPixel addPixel(const FilmPixel sum, const FilmPixel block) {
+    FilmPixel added = sum;
+    added.radiance = sum.radiance + block.radiance;
+    added.squares = sum.squares + block.squares;
+    added.samples = sum.samples + block.samples;
+    added.rejected = sum.rejected + block.rejected;
+    added.seen.albedo = sum.seen.albedo + block.seen.albedo;
+    added.seen.normal = sum.seen.normal + block.seen.normal;
+    added.seen.shadingNormal = sum.seen.shadingNormal + block.seen.shadingNormal;
+    added.covered = sum.covered + block.covered;
+    added.rays = sum.rays + block.rays;
+    added.shadowRays = sum.shadowRays + block.shadowRays;
+    added.steps = sum.steps + block.steps;
+    added.tests = sum.tests + block.tests;
+    if (sum.samples == 0u) {
+        added = block;
+    }
+    return added;
+}
+
 // Returns the pixel's colour: the mean over the samples that were not rejected.
 SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
     return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
 }
 
+// The radiance of samples in parts, by the number of surfaces that scattered the light. The film has these
+// sums only if kFilmLight is asked.
+struct LightParts {
+    vec3 emission; // none: lights and surroundings as the camera sees them
+    float padding0;
+    vec3 direct; // one
+    float padding1;
+    vec3 indirect; // more than one
+    float padding2;
+};
+
+SHARED_FN LightParts noLight() { return LightParts(vec3(0.0f), 0.0f, vec3(0.0f), 0.0f, vec3(0.0f), 0.0f); }
+
+// Adds light that `scatterings` surfaces have scattered.
+SHARED_FN LightParts addLight(const LightParts parts, const uint scatterings, const vec3 light) {
+    LightParts added = parts;
+    if (scatterings == 0u) {
+        added.emission = parts.emission + light;
+    } else if (scatterings == 1u) {
+        added.direct = parts.direct + light;
+    } else {
+        added.indirect = parts.indirect + light;
+    }
+    return added;
+}
+
+SHARED_FN LightParts addParts(const LightParts a, const LightParts b) {
+    return LightParts(a.emission + b.emission, 0.0f, a.direct + b.direct, 0.0f, a.indirect + b.indirect,
+                      0.0f);
+}
+
+// Does for their light what addPixel does for `sum` and the block after it.
+SHARED_FN LightParts addPixelLight(const FilmPixel sum, const LightParts light, const LightParts ofBlock) {
+    LightParts added = addParts(light, ofBlock);
+    if (sum.samples == 0u) {
+        added = ofBlock;
+    }
+    return added;
+}
+
+// Adds a sample's light. Like addSample, it leaves out a sample of which `radiance` is rejected.
+SHARED_FN LightParts addSampleLight(const LightParts sum, const vec3 radiance, const LightParts light) {
+    LightParts added = addParts(sum, light);
+    if (!isWithin(radiance, kLargestRadiance)) {
+        added = sum;
+    }
+    return added;
+}
+
+// Bits of what a film has besides FilmPixel. They are a specialization constant of the kernels, so that what
+// nobody asks for costs nothing.
+const uint kSpecFilm = 4u;
+const uint kFilmLight = 1u; // LightParts
+const uint kFilmHits = 2u;  // the triangle of each sample's first hit, for counting
+
+// Bindings of the kernels `path`, `add_block` and `resolve`. A film on a device is two: kBindOutput has the
+// sums of the last block of each pixel, which gains samples, and kBindTotal those of all blocks before it.
+// They begin as a pixel of which only the number of samples, 0, is written.
+const uint kBindTotal = 46u;
+const uint kBindLight = 47u;
+const uint kBindTotalLight = 48u;
+const uint kBindHits = 49u; // kBlockSamples words for each pixel
+
+SHARED_ASSERT_SIZE(LightParts, 48)
+SHARED_ASSERT_OFFSET(LightParts, direct, 16)
+SHARED_ASSERT_OFFSET(LightParts, indirect, 32)
 SHARED_ASSERT_SIZE(FirstHit, 48)
 SHARED_ASSERT_OFFSET(FirstHit, normal, 16)
 SHARED_ASSERT_OFFSET(FirstHit, shadingNormal, 32)

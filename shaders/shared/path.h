@@ -32,6 +32,7 @@ struct Path {
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
+    vec3 gained;  // the part of radiance that the last surface or the surroundings added
     uint channel; // colour channel that a dispersive volume has chosen; kNoChannel: none yet
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
@@ -57,7 +58,8 @@ struct PathStep {
 };
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
-    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), kNoChannel, true, cone, media);
+    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel, true, cone,
+                media);
 }
 
 // Returns the first ray of a sample as a path.
@@ -73,6 +75,7 @@ struct PathSample {
     PixelSample at;
     Path path;
     FirstHit first;
+    LightParts light;
     uint rays; // traced so far, without shadow rays
     uint shadowRays;
     float steps; // of all rays
@@ -82,7 +85,7 @@ struct PathSample {
 SHARED_FN PathSample startSample(const Camera camera, const PathSettings settings, const uint x, const uint y,
                                  const uint index) {
     const PixelSample at = makePixelSample(x, y, index, settings.seed);
-    return PathSample(at, cameraPath(camera, settings, x, y, at), missFirst(), 0u, 0u, 0.0f, 0.0f);
+    return PathSample(at, cameraPath(camera, settings, x, y, at), missFirst(), noLight(), 0u, 0u, 0.0f, 0.0f);
 }
 
 // Returns the sample after `step` at a triangle, which its path met at distance `t`.
@@ -90,6 +93,7 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
                                const float t, const uint triangleId) {
     PathSample next = arriving;
     next.path = step.path;
+    next.light = addLight(arriving.light, arriving.path.bounce, step.path.gained);
     if (arriving.path.bounce == 0u) {
         const float depth = t * dotProduct(arriving.path.dir, camera.forward);
         next.first = FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal, depth);
@@ -97,7 +101,24 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
     return next;
 }
 
-// Adds a sample whose path has ended to the pixel.
+// Returns the sample after leaveScene has ended its path.
+SHARED_FN PathSample afterLeaving(const PathSample arriving, const Path ended) {
+    PathSample next = arriving;
+    next.path = ended;
+    next.light = addLight(arriving.light, arriving.path.bounce, ended.gained);
+    return next;
+}
+
+// Adds the light of a shadow ray that nothing occludes. It left the surface that the path met as its number
+// `bounce`.
+SHARED_FN PathSample afterShadow(const PathSample lit, const uint bounce, const vec3 gain) {
+    PathSample next = lit;
+    next.path.radiance = lit.path.radiance + gain;
+    next.light = addLight(lit.light, bounce + 1u, gain);
+    return next;
+}
+
+// Adds a sample whose path has ended to the sums of its block.
 SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
     FilmPixel added = addSample(sum, ended.path.radiance, ended.first);
     added.rays = sum.rays + ended.rays;
@@ -105,6 +126,10 @@ SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
     added.steps = sum.steps + ended.steps;
     added.tests = sum.tests + ended.tests;
     return added;
+}
+
+SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended) {
+    return addSampleLight(sum, ended.path.radiance, ended.light);
 }
 
 // Returns the weight of light that BSDF sampling found with density `own`. `other` is the density with which
@@ -155,7 +180,8 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     }
     Path ended = path;
     const vec3 whole = path.throughput * gain;
-    ended.radiance = path.radiance + (path.bounce > 0u ? clampedGain(settings, whole) : whole);
+    ended.gained = path.bounce > 0u ? clampedGain(settings, whole) : whole;
+    ended.radiance = path.radiance + ended.gained;
     ended.isAlive = false;
     return ended;
 }
@@ -310,7 +336,8 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     }
     const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
     const vec3 arrived = path.radiance;
-    path.radiance = arrived + (path.bounce > 0u ? clampedGain(settings, shown) : shown);
+    path.gained = path.bounce > 0u ? clampedGain(settings, shown) : shown;
+    path.radiance = arrived + path.gained;
 
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
     ShadowRay shadow = noShadow();
@@ -322,6 +349,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
         next.radiance = arrived;
+        next.gained = vec3(0.0f);
     }
     next.isAlive = next.isAlive && !isLast;
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;

@@ -17,14 +17,20 @@ struct PathInput {
 struct PathPush {
     uint firstTile;
     uint tilesPerRow;
-    uint endSample; // each pixel takes samples until it has this number
-    uint bandTile;  // the first tile of the film on the device
-    uint isFresh;   // 1 if these pixels have no samples yet; the film's old content is then ignored
+    uint firstSample; // number of the first sample of the block (film.h)
+    uint samples;     // each pixel takes samples of the block until it has so many of them
+    uint bandTile;    // the first tile of the film on the device
+    uint isFresh;     // 1 if the block has no samples yet; its old content is then ignored
+};
+
+// The kernel `add_block` adds the complete blocks of some tiles to the blocks before them.
+struct AddBlockPush {
+    uint firstTile; // counted from the first tile of the film on the device
 };
 
 // Sums over all pixels of a dispatch. The host sets them to zero before it.
 struct PathStatus {
-    // Number of pixels with fewer than endSample samples: a driver that limits the turns of loops may end an
+    // Number of pixels that still miss samples: a driver that limits the turns of loops may end an
     // invocation early. They need another dispatch.
     uint unfinished;
     uint stuck; // number of those pixels that gained no sample
@@ -36,7 +42,8 @@ struct PathStatus {
 SHARED_ASSERT_SIZE(PathStatus, 20)
 SHARED_ASSERT_SIZE(PathInput, 224)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
-SHARED_ASSERT_SIZE(PathPush, 20)
+SHARED_ASSERT_SIZE(PathPush, 24)
+SHARED_ASSERT_SIZE(AddBlockPush, 4)
 
 SHARED_END
 #endif

@@ -4,6 +4,8 @@
 #include "metamarch/reference/trace.h"
 #include "metamarch/shared/path.h"
 
+#include <algorithm>
+
 namespace metamarch {
 namespace {
 
@@ -41,10 +43,10 @@ void count(PathSample& taken, const TraceResult& trace) {
     taken.tests += static_cast<float>(trace.tests);
 }
 
-// Takes one sample of the pixel. kernels/path.glsl shares the code of a turn (shared/path.h), but its loop
-// goes through all samples of a pixel, and no invocation leaves it before its neighbours.
-void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum) {
-    PathSample taken = startSample(render.camera, render.settings, x, y, sum.samples);
+// Takes one sample of a pixel. kernels/path.glsl shares the code of a turn (shared/path.h), but its loop
+// goes through all samples of a block, and no invocation leaves it before its neighbours.
+PathSample takeSample(const Render& render, const uint x, const uint y, const uint index) {
+    PathSample taken = startSample(render.camera, render.settings, x, y, index);
     while (taken.path.isAlive) {
         const Path path = taken.path;
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
@@ -53,8 +55,7 @@ void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum
         count(taken, trace);
         ++taken.rays;
         if (trace.hit.triangleId == kNoTriangle) {
-            taken.path = leaveScene(render.scene, render.settings, path);
-            break;
+            return afterLeaving(taken, leaveScene(render.scene, render.settings, path));
         }
         const TriangleRecord& triangle = render.structure.triangles[trace.recordIndex];
         const float t = ray.shift + trace.hit.t;
@@ -68,25 +69,41 @@ void takeSample(const Render& render, const uint x, const uint y, FilmPixel& sum
             count(taken, blocker);
             ++taken.shadowRays;
             if (blocker.hit.triangleId == kNoTriangle) {
-                taken.path.radiance += step.shadow.gain;
+                taken = afterShadow(taken, path.bounce, step.shadow.gain);
             }
         }
     }
-    sum = endSample(sum, taken);
+    return taken;
+}
+
+// Adds the block of samples [first, end) of the pixel with this index to the film.
+void addBlock(const Render& render, const uint index, const uint first, const uint end, FilmData& film) {
+    FilmPixel block = emptyPixel();
+    LightParts light = noLight();
+    for (uint sample = first; sample < end; ++sample) {
+        const PathSample taken =
+            takeSample(render, index % render.camera.width, index / render.camera.width, sample);
+        light = endSampleLight(light, taken);
+        block = endSample(block, taken);
+    }
+    FilmPixel& pixel = film.pixels[index];
+    if (!film.light.empty()) {
+        film.light[index] = addPixelLight(pixel, film.light[index], light);
+    }
+    pixel = addPixel(pixel, block);
 }
 
 } // namespace
 
-std::vector<FilmPixel> renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                                        const PathSettings& settings, const Camera& camera,
-                                        const std::uint32_t samples, const OnProgress& onProgress) {
-    std::vector<FilmPixel> film(std::size_t{camera.width} * camera.height, emptyPixel());
+FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
+                      const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
+                      const std::uint32_t parts, const OnProgress& onProgress) {
+    FilmData film(std::size_t{camera.width} * camera.height, parts);
     const Render render{structure, scene, settings, camera};
     const auto renderRow = [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {
-            FilmPixel& pixel = film[std::size_t{y} * camera.width + x];
-            while (pixel.samples < samples) {
-                takeSample(render, x, y, pixel);
+            for (uint first = 0; first < samples; first += kBlockSamples) {
+                addBlock(render, y * camera.width + x, first, std::min(first + kBlockSamples, samples), film);
             }
         }
     };

@@ -4,18 +4,16 @@
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/reference/rows.h"
 #include "metamarch/shared/camera.h"
-#include "metamarch/shared/film.h"
+#include "metamarch/shared/film_data.h"
 #include "metamarch/shared/path_settings.h"
 #include "metamarch/shared/shading_scene.h"
 
-#include <vector>
-
 namespace metamarch {
 
-// Returns camera.width * camera.height pixels in rows from the top, with `samples` samples each. Uses all
-// cores. Rows that are cancelled hold emptyPixel().
-std::vector<FilmPixel> renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                                        const PathSettings& settings, const Camera& camera,
-                                        std::uint32_t samples, const OnProgress& onProgress = {});
+// Returns camera.width * camera.height pixels with `samples` samples each, and the parts kFilm… of the film
+// that `parts` names. Uses all cores. Rows that are cancelled stay empty.
+FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
+                      const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                      std::uint32_t parts, const OnProgress& onProgress = {});
 
 } // namespace metamarch

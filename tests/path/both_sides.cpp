@@ -25,8 +25,8 @@ PathSettings BothSides::settings(const PathWork& work) const {
     return settings;
 }
 
-std::vector<FilmPixel> BothSides::onCpu(const PathWork& work) const {
-    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples);
+FilmData BothSides::filmOnCpu(const PathWork& work) const {
+    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples, work.filmParts);
 }
 
 render::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
@@ -38,7 +38,7 @@ render::DeviceRender BothSides::onDevice(const std::string& traversal, const Pat
             : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
     const render::ShadingBuffers shadingBuffers(device, shading);
     return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settings(work), camera,
-                                       work.samples);
+                                       work.samples, work.filmParts);
 }
 
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {

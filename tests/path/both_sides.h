@@ -20,7 +20,8 @@ class BothSides {
   public:
     BothSides(const PathScene& given, Picture size);
 
-    std::vector<FilmPixel> onCpu(const PathWork& work) const;
+    FilmData filmOnCpu(const PathWork& work) const;
+    std::vector<FilmPixel> onCpu(const PathWork& work) const { return filmOnCpu(work).pixels; }
 
     enum class Where { fasterMemory, storageBuffers };
 

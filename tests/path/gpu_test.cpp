@@ -25,7 +25,7 @@ TEST_P(PathGpu, drawsWhatTheCpuDraws) {
     const BothSides sides(GetParam().make(), {work.side + 12, work.side + 4});
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
-    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film, expected);
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film.pixels, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PathGpu, testing::ValuesIn(gpuPathScenes()),
@@ -49,7 +49,7 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
             continue;
         }
         SCOPED_TRACE(traversal);
-        expectSameFilm(sides.onDevice(std::string(traversal), work).film, expected);
+        expectSameFilm(sides.onDevice(std::string(traversal), work).film.pixels, expected);
     }
 }
 
@@ -57,7 +57,7 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
 // buffers.
 TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
     const BothSides sides(blended(), {28, 20});
-    expectSameFilm(sides.onDevice(kDefaultTraversal, work, BothSides::Where::storageBuffers).film,
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work, BothSides::Where::storageBuffers).film.pixels,
                    sides.onCpu(work));
 }
 
@@ -67,14 +67,14 @@ TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     const PathWork many{.samples = 37, .maxBounces = 2};
     const render::DeviceRender whole = sides.onDevice(kDefaultTraversal, many);
     EXPECT_GE(whole.submissions, 4u);
-    expectSameFilm(whole.film, sides.onCpu(many));
+    expectSameFilm(whole.film.pixels, sides.onCpu(many));
 }
 
 // The picture has more tiles of 8 x 8 pixels than the film on the device, which has 2^14.
 TEST_F(PathGpuWork, bandsDrawTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {1153, 1000});
     const PathWork few{.samples = 1, .maxBounces = 0};
-    expectSameFilm(sides.onDevice(kDefaultTraversal, few).film, sides.onCpu(few));
+    expectSameFilm(sides.onDevice(kDefaultTraversal, few).film.pixels, sides.onCpu(few));
 }
 
 struct FileScene {
@@ -104,7 +104,7 @@ TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
     const PathWork work{.samples = 4};
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
-    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film, expected);
+    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film.pixels, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, PathGpuFile,

@@ -28,6 +28,7 @@ struct PathWork {
     std::uint32_t strategies = kSampleLights | kSampleBsdf;
     std::uint32_t side = 16; // of the picture, in pixels
     float clampLuminance = 0.0f;
+    std::uint32_t filmParts = 0; // kFilm…; for BothSides
 };
 
 // Returns the settings of the path tracer for a scene's light and for the work.

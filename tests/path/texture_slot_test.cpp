@@ -138,7 +138,7 @@ TEST_P(TextureSlot, isSeenAndDrawnAsTheCpuDraws) {
     const std::vector<FilmPixel> expected = sides.onCpu(kWork);
     expectPicture(expected);
     EXPECT_FALSE(isSameFilm(expected, onCpu(GetParam(), nullptr))) << "the texture changes nothing";
-    expectSameFilm(sides.onDevice(kDefaultTraversal, kWork).film, expected);
+    expectSameFilm(sides.onDevice(kDefaultTraversal, kWork).film.pixels, expected);
 }
 
 TEST_P(TextureSlot, countsTheChannelsThatGltfNames) {

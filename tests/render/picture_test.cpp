@@ -100,16 +100,17 @@ TEST_P(Picture, holdsWhatIsThereWhenItIsCancelled) {
         SCOPED_TRACE(nameOf(integrator));
         const RenderResult result = render(by(integrator), [](double) { return false; });
         EXPECT_TRUE(result.isCancelled);
-        const std::size_t pixels = countWhole(result.film, render(by(integrator)).film);
+        const std::size_t pixels = countWhole(result.film.pixels, render(by(integrator)).film.pixels);
         EXPECT_GT(pixels, 0u);
-        EXPECT_LT(pixels, result.film.size());
+        EXPECT_LT(pixels, result.film.pixels.size());
     }
 }
 
 TEST_P(Picture, isNotCancelledAtItsEnd) {
     const RenderResult result = render(by(Integrator::path), [](const double part) { return part < 1.0; });
     EXPECT_FALSE(result.isCancelled);
-    EXPECT_EQ(countWhole(result.film, render(by(Integrator::path)).film), result.film.size());
+    EXPECT_EQ(countWhole(result.film.pixels, render(by(Integrator::path)).film.pixels),
+              result.film.pixels.size());
 }
 
 TEST_P(Picture, saysWhatItTook) {
@@ -186,12 +187,12 @@ TEST(DeviceScene, servesSeveralPictures) {
     const Camera camera = makeCamera(frameBounds(boundsOf(*scene), kDefaultVerticalFov, 1.0f), 24, 24);
     const RenderResult first = renderPicture(onDevice, camera, settings);
     settings.path.integrator = Integrator::primary;
-    EXPECT_EQ(renderPicture(onDevice, camera, settings).film.size(), 24u * 24u);
+    EXPECT_EQ(renderPicture(onDevice, camera, settings).film.pixels.size(), 24u * 24u);
     settings.path.integrator = Integrator::path;
     const std::uint64_t bytes = onDevice.bytes();
     const RenderResult second = renderPicture(onDevice, camera, settings);
     EXPECT_EQ(onDevice.bytes(), bytes);
-    EXPECT_EQ(countWhole(second.film, first.film), first.film.size());
+    EXPECT_EQ(countWhole(second.film.pixels, first.film.pixels), first.film.pixels.size());
 }
 
 } // namespace

@@ -51,8 +51,8 @@ class GrowingFilm : public testing::Test {
 
     std::vector<FilmPixel> atOnce(const Camera& seen, const std::uint32_t samples) const {
         return render::renderPathsOnDevice(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
-                                           settings, seen, samples)
-            .film;
+                                           settings, seen, samples, 0)
+            .film.pixels;
     }
 
     render::PathTracer tracer() const {
@@ -61,9 +61,9 @@ class GrowingFilm : public testing::Test {
     }
 
     std::vector<FilmPixel> filmOf(const render::PathTracer& from) const {
-        std::vector<FilmPixel> film(std::size_t{from.camera().width} * from.camera().height);
+        FilmData film(std::size_t{from.camera().width} * from.camera().height, 0);
         from.download(film);
-        return film;
+        return film.pixels;
     }
 
     static void expectSame(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>& b) {
@@ -85,7 +85,7 @@ class GrowingFilm : public testing::Test {
 constexpr double kSmallest = 1e-9;
 
 TEST_F(GrowingFilm, isTheSameInAnyPieces) {
-    constexpr std::uint32_t kSamples = 7;
+    constexpr std::uint32_t kSamples = 2 * kBlockSamples + 3; // three blocks
     render::PathTracer small = tracer();
     small.start(camera, settings, {0, render::Tiling(camera).count});
     while (small.samples() < kSamples) {
@@ -121,7 +121,7 @@ TEST_F(GrowingFilm, beginsAnewWithAnotherCamera) {
     EXPECT_EQ(one.samples(), 0u);
     EXPECT_EQ(one.meanSamples(), 0.0);
     while (one.samples() < 3) {
-        one.advance(3, render::PathTracer::kSamplesAtOnce, render::WorkSize::kTargetSeconds);
+        one.advance(3, kBlockSamples, render::WorkSize::kTargetSeconds);
     }
     expectSame(filmOf(one), atOnce(smaller, 3));
 }
@@ -150,7 +150,7 @@ TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
     render::PathTracer one = tracer();
     one.start(camera, settings, {0, render::Tiling(camera).count});
     one.advance(1, 1, kSmallest); // most pixels still have no samples
-    const render::Resolver resolver(vulkan::testDevice(), one.film(), kWidth * kHeight);
+    const render::Resolver resolver(vulkan::testDevice(), one, kWidth * kHeight);
     for (int samples = 1; samples < 4; ++samples) {
         const std::vector<FilmPixel> film = filmOf(one);
         for (const ToneOperatorName& known : kToneOperators) {

@@ -152,7 +152,8 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 // Compare all bits except steps and tests.
                 different +=
-                    std::memcmp(&result.film[i], &expected[i], offsetof(FilmPixel, steps)) == 0 ? 0 : 1;
+                    std::memcmp(&result.film.pixels[i], &expected[i], offsetof(FilmPixel, steps)) == 0 ? 0
+                                                                                                       : 1;
             }
             EXPECT_EQ(different, 0u) << "pixels";
         }
