@@ -75,6 +75,10 @@ std::string shortened(const std::string& text) {
 } // namespace
 
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)), files_{path_} {
+    if (isStandardInput(path_)) {
+        readStandardInput();
+        return;
+    }
     std::error_code failure;
     const std::filesystem::file_status status = std::filesystem::status(path_, failure);
     if (status.type() == std::filesystem::file_type::not_found) {
@@ -96,7 +100,33 @@ InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)), files
     }
 }
 
+void InputFile::readStandardInput() {
+    constexpr std::size_t kMost = std::size_t{1} << 32; // what a GLB can say of its own length
+    constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+    while (true) {
+        const std::size_t before = input_.size();
+        input_.resize(before + kAtOnce);
+        const ssize_t count = ::read(STDIN_FILENO, &input_[before], kAtOnce);
+        input_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        if (count < 0 && errno != EINTR) {
+            refuse(std::string("cannot be read: ") + std::strerror(errno));
+        }
+        if (input_.size() > kMost) {
+            refuseSize("more than 4 GiB");
+        }
+        if (count == 0) {
+            break;
+        }
+    }
+    if (input_.empty()) {
+        refuse("nothing to read");
+    }
+}
+
 std::vector<unsigned char> InputFile::read() const {
+    if (isStandardInput(path_)) {
+        return input_;
+    }
     std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
     if (!bytes) {
         refuse(std::string("cannot be read: ") + std::strerror(errno));
@@ -105,6 +135,9 @@ std::vector<unsigned char> InputFile::read() const {
 }
 
 bool InputFile::isBeside(const std::filesystem::path& other) const {
+    if (isStandardInput(path_)) {
+        return false;
+    }
     std::error_code failure;
     // Make the path absolute first: weakly_canonical leaves a relative path unchanged if none of its folders
     // exist.
@@ -118,7 +151,7 @@ bool InputFile::isBeside(const std::filesystem::path& other) const {
 }
 
 std::string InputFile::whyNotReadable(const std::string& name) const {
-    if (name.find("://") != std::string::npos) {
+    if (name.find("://") != std::string::npos || isStandardInput(path_)) {
         return "is not a file beside the scene";
     }
     std::error_code failure;
@@ -158,8 +191,10 @@ void InputFile::warn(const std::string& what) {
 }
 
 std::string InputFile::line(const std::string& what) const {
-    return oneLine(path_.string() + ": " + shortened(what));
+    return oneLine((isStandardInput(path_) ? "standard input" : path_.string()) + ": " + shortened(what));
 }
+
+bool isStandardInput(const std::filesystem::path& path) { return path == "-"; }
 
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path) {
     // A name that has become a pipe since it was looked at does not stop the program.

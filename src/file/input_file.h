@@ -12,7 +12,8 @@ namespace metamarch {
 
 class InputFile {
   public:
-    // Throws Error(inputRefused) unless the path names a regular file that is not empty.
+    // Throws Error(inputRefused) unless the path names a regular file that is not empty, or is "-": standard
+    // input, which is read here, to its end. Such a file has no companions.
     explicit InputFile(std::filesystem::path path);
 
     const std::filesystem::path& path() const { return path_; }
@@ -46,14 +47,19 @@ class InputFile {
     std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
   private:
+    void readStandardInput();
     std::string line(const std::string& what) const;
 
     std::filesystem::path path_;
-    std::filesystem::path folder_; // canonical
+    std::filesystem::path folder_; // canonical; empty for standard input
     std::vector<std::filesystem::path> files_;
+    std::vector<unsigned char> input_; // of standard input
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> warned_;
 };
+
+// Whether a path stands for standard input.
+bool isStandardInput(const std::filesystem::path& path);
 
 // Returns nothing if the file cannot be read completely; errno then says why.
 std::optional<std::vector<unsigned char>> readBytes(const std::filesystem::path& path);

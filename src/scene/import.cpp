@@ -15,7 +15,7 @@ namespace {
 
 Scene import(InputFile& file, const ImportOptions& options) {
     const std::string ending = lowerCaseEnding(file.path());
-    if (ending == ".gltf" || ending == ".glb") {
+    if (ending == ".gltf" || ending == ".glb" || isStandardInput(file.path())) {
         return importGltf(file, options);
     }
     if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl") {

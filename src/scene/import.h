@@ -28,7 +28,8 @@ struct ImportOptions {
     bool operator==(const ImportOptions&) const = default;
 };
 
-// Reads glTF 2.0 (.gltf, .glb) with tinygltf, and OBJ, PLY, OFF and STL; the file's ending decides. Throws
+// Reads glTF 2.0 (.gltf, .glb) with tinygltf, and OBJ, PLY, OFF and STL; the file's ending decides. "-" is a
+// GLB from standard input. Throws
 // Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite, and
 // Error(invalidArgument), listing the existing ones, for an unknown scene, variant or animation.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
