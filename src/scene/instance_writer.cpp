@@ -36,12 +36,12 @@ void appendOptional(std::vector<T>& to, const std::vector<T>& values, std::size_
 
 } // namespace
 
-InstanceWriter::InstanceWriter(Scene& scene, InputFile& file, const std::string& name, std::string label,
+InstanceWriter::InstanceWriter(Scene& scene, InputFile& file, const MeshInstance& instance, std::string label,
                                const glm::dmat4& toWorld)
     : scene_(scene), file_(file), label_(std::move(label)), toWorld_(toWorld),
       normalToWorld_(normalMatrix(toWorld)), mirrored_(isMirroring(toWorld)),
       mesh_(static_cast<std::uint32_t>(scene.meshes.size())) {
-    scene_.meshes.push_back({name});
+    scene_.meshes.push_back(instance);
 }
 
 void InstanceWriter::write(const std::string& label, const MeshGeometry& part, std::uint32_t material) {

@@ -21,7 +21,7 @@ class InstanceWriter {
   public:
     // `label` starts the messages about this mesh. If `toWorld` mirrors, the triangles' winding is reversed
     // so that front faces stay front faces. A singular `toWorld` is allowed.
-    InstanceWriter(Scene& scene, InputFile& file, const std::string& name, std::string label,
+    InstanceWriter(Scene& scene, InputFile& file, const MeshInstance& instance, std::string label,
                    const glm::dmat4& toWorld);
 
     // Appends a part (in glTF, a primitive) whose indices have been checked; `label` starts its error

@@ -20,7 +20,10 @@ inline constexpr std::uint32_t kNoMaterial = 0xffffffffu;
 
 // One mesh of the file at one place in the node hierarchy; a glTF mesh that two nodes use makes two.
 struct MeshInstance {
-    std::string name;
+    std::string name;       // of the mesh
+    std::uint32_t mesh = 0; // its index in the file
+    std::string node{};     // name of the node that places it; empty in files without nodes
+    std::string root{};     // name of the topmost node above that one, or of that one
 };
 
 // The camera looks along `forward`. Right, up and -forward are orthonormal and in world space.

@@ -169,10 +169,12 @@ class GltfImporter {
             }
         }
         const tinygltf::Mesh& mesh = document_.model.meshes[static_cast<std::size_t>(source.mesh)];
-        for (const glm::dmat4& instance : toWorld) {
-            InstanceWriter writer(scene_, file_, mesh.name,
+        const MeshInstance instance{mesh.name, static_cast<std::uint32_t>(source.mesh), source.name,
+                                    document_.model.nodes[static_cast<std::size_t>(place.root)].name};
+        for (const glm::dmat4& matrix : toWorld) {
+            InstanceWriter writer(scene_, file_, instance,
                                   elementName("mesh", mesh.name, static_cast<std::size_t>(source.mesh)),
-                                  instance);
+                                  matrix);
             for (const GltfPart& part : parts) {
                 writer.write(part.label, part.geometry, part.material);
             }

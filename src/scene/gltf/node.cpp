@@ -93,12 +93,12 @@ std::vector<PlacedNode> placeNodes(const GltfDocument& document, const InputFile
                 file.refuse(of + ": node " + std::to_string(node) + " does not exist, there are " +
                             std::to_string(model.nodes.size()));
             }
-            pending.push_back({node, parent.toWorld, parent.visible});
+            pending.push_back({node, parent.root < 0 ? node : parent.root, parent.toWorld, parent.visible});
         }
     };
 
     // Iterative, so that deep hierarchies use no call stack. The loop ends because no node is taken twice.
-    push(rootNodes(model, file, scene), {0, root}, "scene");
+    push(rootNodes(model, file, scene), {-1, -1, root}, "scene");
     while (!pending.empty()) {
         const PlacedNode next = pending.back();
         pending.pop_back();
@@ -109,7 +109,7 @@ std::vector<PlacedNode> placeNodes(const GltfDocument& document, const InputFile
         }
         reached[index] = true;
         const auto visibility = elements[index].extension("KHR_node_visibility");
-        placed.push_back({next.node, next.toWorld * localMatrix(model, file, next.node),
+        placed.push_back({next.node, next.root, next.toWorld * localMatrix(model, file, next.node),
                           next.visible && (!visibility || visibility->flag("visible", true))});
         push(model.nodes[index].children, placed.back(), nodeLabel(model, next.node));
     }

@@ -13,6 +13,7 @@ namespace metamarch {
 
 struct PlacedNode {
     int node;
+    int root; // the topmost node above it, or itself
     glm::dmat4 toWorld;
     // False if KHR_node_visibility hides the node or one above it. Its mesh and light are not part of the
     // picture; its camera is, and so are meshes that it moves as a joint.

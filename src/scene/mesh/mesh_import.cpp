@@ -151,7 +151,7 @@ class MeshImporter {
         geometry.texCoords[0] = std::move(mesh_.texCoords);
         geometry.colors = std::move(mesh_.colors);
         const std::string label = labelOf(0);
-        InstanceWriter writer(scene_, file_, nameOf(0), label, toWorld_);
+        InstanceWriter writer(scene_, file_, {nameOf(0)}, label, toWorld_);
         write(writer, label, std::move(geometry), parts_[0].groups[0].material);
         writer.finish();
     }
@@ -183,7 +183,7 @@ class MeshImporter {
         if (parts_[index].groups.empty()) {
             return;
         }
-        InstanceWriter writer(scene_, file_, nameOf(index), label, toWorld_);
+        InstanceWriter writer(scene_, file_, {nameOf(index), index}, label, toWorld_);
         for (Group& group : parts_[index].groups) {
             write(writer, label, geometryOf(group), group.material);
         }
