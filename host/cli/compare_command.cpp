@@ -34,11 +34,12 @@ void printTable(const Comparison& comparison) {
                                 "A there", "B there", "failing", "%"));
     }
     for (const ChannelComparison& channel : comparison.channels) {
+        const int digits = channel.isOfIds ? 10 : 8; // a whole number has up to ten
         printResult(fmt::format(
-            "{:<12} {:>12.6g} {:>12.6g} {:>13.6g} {:>12.6g} {:>13} {:>14.8g} {:>14.8g} {:>10} {:>9.4f}{}\n",
+            "{:<12} {:>12.6g} {:>12.6g} {:>13.6g} {:>12.6g} {:>13} {:>14.{}g} {:>14.{}g} {:>10} {:>9.4f}{}\n",
             channel.name, channel.rmse, channel.relativeMse, channel.meanDifference, channel.maxDifference,
-            fmt::format("{},{}", channel.worstX, channel.worstY), channel.worstA, channel.worstB,
-            channel.failingPixels, channel.failingPercent, channel.judged ? "" : "  (not judged)"));
+            fmt::format("{},{}", channel.worstX, channel.worstY), channel.worstA, digits, channel.worstB,
+            digits, channel.failingPixels, channel.failingPercent, channel.judged ? "" : "  (not judged)"));
     }
     for (const std::string& mismatch : comparison.mismatches) {
         printResult(fmt::format("{}\n", mismatch));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
+#include "metamarch/cli/file_digest.h"
 #include "metamarch/cli/output_check.h"
 #include "metamarch/cli/picture_options.h"
 #include "metamarch/cli/progress.h"
@@ -11,6 +12,7 @@
 #include "metamarch/cli/version.h"
 #include "metamarch/cli/warnings.h"
 #include "metamarch/error/error.h"
+#include "metamarch/file/input_file.h"
 #include "metamarch/file/output_file.h"
 #include "metamarch/file/standard_stream.h"
 #include "metamarch/image/image_file.h"
@@ -24,6 +26,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,6 +43,9 @@ struct RenderOptions : PictureOptions {
     RenderOptions() : PictureOptions(64) {}
 
     std::string outputPath;
+    std::vector<std::string> aovs; // empty: what the integrator writes where nobody chooses
+    float missDepth = std::numeric_limits<float>::infinity();
+    PictureStorage storage;
     Backend backend = Backend::gpu;
     std::string statsPath;
     bool isStamped = false;
@@ -57,13 +64,49 @@ void checkArguments(const RenderOptions& options) {
     checkStructure(options.structure);
 }
 
+render::RenderSettings settingsOf(const RenderOptions& options) {
+    render::RenderSettings settings;
+    settings.path = options.path;
+    settings.samplesPerPixel = options.samplesPerPixel;
+    settings.traversal = options.traversal;
+    settings.missDepth = options.missDepth;
+    if (!options.aovs.empty()) {
+        settings.channels = chooseAovs(options.aovs, settings.writer());
+    }
+    if (!settings.traversal.empty()) {
+        render::requireTable(options.structure.table, settings.traversal); // before the scene is loaded
+    }
+    return settings;
+}
+
+void checkChannels(const RenderOptions& options) {
+    if (pictureFormatOf(options.outputPath, options.storage) != PictureFormat::exr) {
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("{}: only an EXR has further channels", options.outputPath), {"aov"});
+    }
+    const std::vector<Aov> chosen = settingsOf(options).aovs();
+    const auto staysExact = [](const Aov& aov) { return aov.isCryptomatte() || aov.name() == "P"; };
+    if (std::ranges::any_of(chosen, staysExact) && !options.storage.exr.isMultipart &&
+        options.storage.exr.compression == ExrCompression::dwaa) {
+        refuseLossyIds();
+    }
+}
+
 std::vector<NamedFile> outputsOf(const RenderOptions& options) {
     return {{"--output", options.outputPath}, {"--stats", options.statsPath}};
 }
 
 // Refuses bad outputs before the long work.
 void checkOutputs(const RenderOptions& options, const SettingList& given) {
-    checkWritable(options.outputPath);
+    checkWritable(options.outputPath, options.storage);
+    if (!options.aovs.empty()) {
+        checkChannels(options);
+    }
+    if (options.path.isTransparent &&
+        pictureFormatOf(options.outputPath, options.storage) == PictureFormat::jpeg) {
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("{}: a JPEG cannot be transparent", options.outputPath), {"transparent"});
+    }
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
     }
@@ -71,17 +114,6 @@ void checkOutputs(const RenderOptions& options, const SettingList& given) {
                                 {"--env", given.at("env").text()},
                                 {"--partition", given.at("partition").text()}};
     checkOutputsDiffer(outputsOf(options), inputs);
-}
-
-render::RenderSettings settingsOf(const RenderOptions& options) {
-    render::RenderSettings settings;
-    settings.path = options.path;
-    settings.samplesPerPixel = options.samplesPerPixel;
-    settings.traversal = options.traversal;
-    if (!settings.traversal.empty()) {
-        render::requireTable(options.structure.table, settings.traversal); // before the scene is loaded
-    }
-    return settings;
 }
 
 // Renders on the device, or on the CPU if there is no `onDevice`.
@@ -177,9 +209,15 @@ void runRender(const RenderOptions& options, const SettingList& given) {
     log.end(onDevice ? fmt::format("picture, of which {:.3f} s until the first result (the driver compiles)",
                                    result.seconds.firstSubmission)
                      : "picture");
-    render::writePicture(
-        result, {programVersion(), options.scenePath, sceneCamera, changedOptions(given), options.isStamped},
-        options.outputPath, options.tone);
+    render::writePicture(result,
+                         {.software = programVersion(),
+                          .sceneFile = options.scenePath,
+                          .camera = sceneCamera,
+                          .options = changedOptions(given),
+                          .isStamped = options.isStamped,
+                          .sceneSha1 = isStandardInput(options.scenePath) ? "" : sha1Of(options.scenePath),
+                          .lens = options.view.lens},
+                         options.outputPath, options.tone, options.storage);
     log.end(fmt::format("{} written", options.outputPath));
     if (!options.statsPath.empty()) {
         nlohmann::ordered_json report = reportRender(result);
@@ -200,12 +238,15 @@ void runRender(const RenderOptions& options, const SettingList& given) {
 
 Command makeRenderCommand() {
     const auto options = std::make_shared<RenderOptions>();
-    Command command{"render", "Render a scene to an EXR or PNG picture", {}, {}, {}, {}};
+    Command command{"render", "Render a scene to a picture", {}, {}, {}, {}};
     SettingList& settings = command.settings;
-    settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
+    settings.positional("SCENE", options->scenePath,
+                        "glTF, GLB, OBJ, PLY, OFF or STL file; -: a GLB from standard input");
     settings
         .text("output", options->outputPath,
-              "Picture to write: .exr (all channels) or .png; -: an EXR to standard output")
+              "Picture to write: .exr (all channels), .png, .jpg, .webp or .tif; -: to standard output, as "
+              "--format "
+              "says (exr)")
         .withShortName("o")
         .withValueName("FILE")
         .required();
@@ -219,6 +260,11 @@ Command makeRenderCommand() {
         .flag("verbose", options->isVerbose,
               "Also print the device, and each stage with its seconds, on standard error")
         .excludes({"quiet"});
+    declareChannels(settings, options->aovs, options->missDepth);
+    settings.flag(
+        "transparent", options->path.isTransparent,
+        "The camera does not see the background or the environment, which light the scene all the same");
+    declareStorage(settings, options->storage);
     declareCamera(settings, options->view);
     declareTone(settings, options->tone);
     settings.beginGroup("Device");

@@ -11,12 +11,12 @@
 
 namespace metamarch::render {
 
-// Takes `samples` samples of each pixel, for a film with the parts kFilm… that `parts` names. Calls
+// Takes `samples` samples of each pixel, for a film with what `request` asks for. Calls
 // `onProgress` after each submission; if it cancels, pixels have fewer samples, or none (emptyPixel()).
 // Throws Error(outOfMemory) if the driver cuts a traversal short.
 DeviceRender renderPathsOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
                                  const ShadingBuffers& shading, const std::string& traversal,
                                  const PathSettings& settings, const Camera& camera, std::uint32_t samples,
-                                 std::uint32_t parts, const OnProgress& onProgress = {});
+                                 const FilmRequest& request, const OnProgress& onProgress = {});
 
 } // namespace metamarch::render

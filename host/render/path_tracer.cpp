@@ -159,6 +159,31 @@ TileRange PathTracer::begunTiles() const {
     return {tiles.first, taken > 0 ? tiles.end : passEnd > 0 ? next : tiles.first};
 }
 
+std::optional<std::size_t> PathTracer::indexOf(const std::uint32_t i) const {
+    const std::uint32_t tile = tiles.first + i / kTilePixels;
+    const std::uint32_t x = tile % tilesPerRow * kTileSide + i % kTileSide;
+    const std::uint32_t y = tile / tilesPerRow * kTileSide + i % kTilePixels / kTileSide;
+    if (x >= input.camera.width || y >= input.camera.height) {
+        return std::nullopt;
+    }
+    return std::size_t{y} * input.camera.width + x;
+}
+
+void PathTracer::countHits(const std::span<const std::uint32_t> groups, FilmData& film) const {
+    const std::uint32_t samples = (taken - 1) % kBlockSamples + 1;
+    std::vector<std::uint32_t> triangles(std::size_t{tiles.count()} * kTilePixels * kBlockSamples);
+    vulkan::read(device, hits, 0, std::as_writable_bytes(std::span(triangles)));
+    for (std::uint32_t i = 0; i < tiles.count() * kTilePixels; ++i) {
+        const std::optional<std::size_t> index = indexOf(i);
+        for (std::uint32_t sample = 0; index && sample < samples; ++sample) {
+            const std::uint32_t triangle = triangles[std::size_t{i} * kBlockSamples + sample];
+            if (triangle != kNoTriangle) {
+                film.addHit(*index, groups[triangle]);
+            }
+        }
+    }
+}
+
 void PathTracer::download(FilmData& film) const {
     // Read only begun tiles: the others hold data of an earlier film.
     const std::uint32_t begun = begunTiles().count();
@@ -168,14 +193,10 @@ void PathTracer::download(FilmData& film) const {
     const auto lights = readTiles<LightParts>(device, lightBuffer, hasLight ? begun : 0);
     const auto totalLights = readTiles<LightParts>(device, totalLightBuffer, hasLight ? begun : 0);
     for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-        const std::uint32_t tile = tiles.first + i / kTilePixels;
-        const std::uint32_t x = tile % tilesPerRow * kTileSide + i % kTileSide;
-        const std::uint32_t y = tile / tilesPerRow * kTileSide + i % kTilePixels / kTileSide;
-        if (x < input.camera.width && y < input.camera.height) {
-            const std::size_t index = std::size_t{y} * input.camera.width + x;
-            film.pixels[index] = addPixel(totals[i], blocks[i]);
+        if (const std::optional<std::size_t> index = indexOf(i)) {
+            film.pixels[*index] = addPixel(totals[i], blocks[i]);
             if (hasLight) {
-                film.light[index] = addPixelLight(totals[i], totalLights[i], lights[i]);
+                film.light[*index] = addPixelLight(totals[i], totalLights[i], lights[i]);
             }
         }
     }

@@ -10,6 +10,7 @@
 #include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -80,7 +81,13 @@ class PathTracer {
     // stay as they are.
     void download(FilmData& film) const;
 
+    // Adds the first hits of the current block to `film`, with `groups` of each triangle. Call it once for
+    // each block, when every pixel has its samples. The film must have the part kFilmHits.
+    void countHits(std::span<const std::uint32_t> groups, FilmData& film) const;
+
   private:
+    // The index in the picture of pixel `i` of the film on the device; none: it is outside the picture.
+    std::optional<std::size_t> indexOf(std::uint32_t i) const;
     bool dispatch(TileRange part, std::uint32_t endSample);
 
     const vulkan::Device& device;

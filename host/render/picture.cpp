@@ -2,11 +2,11 @@
 #include "metamarch/render/picture.h"
 
 #include "metamarch/image/film_image.h"
-#include "metamarch/image/image_file.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <ctime>
 
 namespace metamarch::render {
@@ -29,6 +29,9 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     add("metamarch/traversal", result.traversal);
     add("metamarch/integrator", std::string(nameOf(settings.path.integrator)));
     add("metamarch/scene", origin.sceneFile);
+    if (!origin.sceneSha1.empty()) {
+        add("metamarch/sceneSha1", origin.sceneSha1);
+    }
     if (!origin.options.empty()) {
         add("metamarch/options", origin.options);
     }
@@ -36,13 +39,23 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     add("metamarch/eye", point(origin.camera.eye));
     add("metamarch/forward", point(origin.camera.forward));
     add("metamarch/up", point(origin.camera.up));
+    image.attributes.emplace_back("worldtocamera", worldToCamera(origin.camera));
+    if (!origin.lens.isPanorama) { // whose projection is no matrix
+        const float aspect = static_cast<float>(result.size.x) / static_cast<float>(result.size.y);
+        image.attributes.emplace_back("worldtoNDC", worldToNdc(origin.camera, aspect));
+        if (origin.camera.projection == SceneCamera::Projection::perspective) {
+            image.attributes.emplace_back("metamarch/vfov", glm::degrees(origin.camera.verticalFov));
+        } else {
+            image.attributes.emplace_back("metamarch/orthographicHeight", origin.camera.verticalExtent);
+        }
+    }
     if (origin.isStamped) {
         add(kDateTime, fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::localtime(std::time(nullptr))));
         add("metamarch/seconds", fmt::format("{:.3f}", result.seconds.render));
     }
 }
 
-// writeImage makes an opaque PNG if there is no channel A.
+// writeImage makes an opaque picture if there is no channel A.
 void renameAlpha(Image& image) {
     if (const auto alpha = image.findChannel("A")) {
         image.channels[*alpha] = "coverage";
@@ -52,21 +65,56 @@ void renameAlpha(Image& image) {
 } // namespace
 
 Image imageOf(const RenderResult& result) {
-    const auto width = static_cast<int>(result.size.x);
-    const auto height = static_cast<int>(result.size.y);
-    return filmImage(
-        result.film.pixels, width, height,
-        aovsOf(result.settings.isPrimary() ? AovWriter::everyIntegrator : AovWriter::pathTracer));
+    Image image =
+        filmImage(result.film, result.seen, static_cast<int>(result.size.x), static_cast<int>(result.size.y),
+                  result.settings.aovs(), result.settings.missDepth);
+    for (const CryptomatteLevel& level : result.cryptomatte) {
+        addCryptomatte(level, result.film, image);
+    }
+    return image;
+}
+
+glm::mat4 worldToCamera(const SceneCamera& camera) {
+    const glm::dvec3 forward = camera.forward;
+    const glm::dvec3 up = camera.up;
+    const glm::dvec3 right = glm::cross(forward, up);
+    const glm::dvec3 eye = camera.eye;
+    glm::dmat4 matrix(1.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        matrix[axis] = glm::dvec4(right[axis], up[axis], forward[axis], 0.0);
+    }
+    matrix[3] = glm::dvec4(-glm::dot(right, eye), -glm::dot(up, eye), -glm::dot(forward, eye), 1.0);
+    return glm::mat4(matrix);
+}
+
+glm::mat4 worldToNdc(const SceneCamera& camera, const float aspect) {
+    // Columns. A perspective divides by z; its depth, which nobody uses, is 0 at distance 1 and 1 far away,
+    // so that the matrix can be inverted.
+    glm::dmat4 projection(0.0);
+    const bool isPerspective = camera.projection == SceneCamera::Projection::perspective;
+    const double height = isPerspective ? 2.0 * std::tan(0.5 * static_cast<double>(camera.verticalFov))
+                                        : static_cast<double>(camera.verticalExtent);
+    projection[0][0] = 1.0 / (height * static_cast<double>(aspect));
+    projection[1][1] = -1.0 / height;
+    if (isPerspective) {
+        projection[2] = glm::dvec4(0.5, 0.5, 1.0, 1.0);
+        projection[3] = glm::dvec4(0.0, 0.0, -1.0, 0.0);
+    } else {
+        projection[2] = glm::dvec4(0.0, 0.0, 1.0, 0.0);
+        projection[3] = glm::dvec4(0.5, 0.5, 0.0, 1.0);
+    }
+    return glm::mat4(projection * glm::dmat4(worldToCamera(camera)));
 }
 
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
-                  const ToneMapping& toneMapping) {
+                  const ToneMapping& toneMapping, const PictureStorage& storage) {
     Image image = imageOf(result);
     addHeader(result, origin, image);
-    if (!result.settings.isPrimary() && pictureFormatOf(path) == PictureFormat::png) {
+    if (!result.settings.isPrimary() && !result.settings.path.isTransparent &&
+        pictureFormatOf(path, storage) != PictureFormat::exr) {
         renameAlpha(image);
     }
-    writeImage(image, path, toneMapping);
+    writeImage(image, path, toneMapping, storage);
 }
 
 } // namespace metamarch::render

@@ -2,16 +2,18 @@
 // Turns the result of a render into a picture and writes it to a file.
 #pragma once
 #include "metamarch/image/image.h"
+#include "metamarch/image/image_file.h"
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/render/render.h"
 #include "metamarch/scene/scene.h"
+#include "metamarch/shading/view.h"
 
 #include <filesystem>
 #include <string>
 
 namespace metamarch::render {
 
-// Returns an image with the channels that the integrator writes (aovsOf).
+// Returns an image with the channels of RenderSettings::aovs().
 Image imageOf(const RenderResult& result);
 
 // Facts for the header of the file that RenderResult does not have.
@@ -19,14 +21,22 @@ struct PictureOrigin {
     std::string software;  // name and version
     std::string sceneFile; // as the user spells it
     SceneCamera camera;
-    std::string options{};  // the settings that are not the default, as command line options
-    bool isStamped = false; // the header also says when the picture was made and how long that took
+    std::string options{};   // the settings that are not the default, as command line options
+    bool isStamped = false;  // the header also says when the picture was made and how long that took
+    std::string sceneSha1{}; // of the bytes of sceneFile, as hexadecimal digits; empty: unknown
+    CameraOptions lens{};
 };
 
+// Returns the matrices that an EXR's header gives, as OpenEXR defines them, for column vectors. The camera's
+// space is left-handed, with x to the right, y up and z ahead; normalized device coordinates are (0, 0) at
+// the upper left corner of the picture and (1, 1) at the lower right one. `aspect` is width / height.
+glm::mat4 worldToCamera(const SceneCamera& camera);
+glm::mat4 worldToNdc(const SceneCamera& camera, float aspect);
+
 // Writes imageOf(result) with a header that says how the picture was made. Unless it is stamped, nothing in
-// the file depends on the clock. The path tracer's PNG is opaque, because the path tracer draws the
-// background too. Throws what writeImage throws.
+// the file depends on the clock. The path tracer's pictures but EXR are opaque, because the path tracer draws
+// the background too, unless PathChoice::isTransparent. Throws what writeImage throws.
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
-                  const ToneMapping& toneMapping = {});
+                  const ToneMapping& toneMapping = {}, const PictureStorage& storage = {});
 
 } // namespace metamarch::render

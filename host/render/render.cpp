@@ -6,10 +6,13 @@
 #include "metamarch/reference/primary.h"
 #include "metamarch/render/path_renderer.h"
 #include "metamarch/render/primary_renderer.h"
+#include "metamarch/render/seen_points.h"
+#include "metamarch/render/surface_groups.h"
 #include "metamarch/render/traversal_choice.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -41,6 +44,13 @@ RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const Re
     RenderResult result;
     result.settings = settings;
     result.size = {camera.width, camera.height};
+    FilmRequest request{filmPartsOf(settings.aovs())};
+    SurfaceGroups groups;
+    if ((request.parts & kFilmHits) != 0) {
+        groups = groupSurfaces(*scene.scene);
+        request.groups = groups.ofTriangle;
+        result.cryptomatte = groups.levels;
+    }
     const OnProgress watch = [&](const double part) {
         const bool isOn = !onProgress || onProgress(part);
         result.isCancelled = !isOn && part < 1.0;
@@ -52,9 +62,12 @@ RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const Re
         path.eyeMedia = mediaAt(*scene.structure, *scene.shading, camera.eye);
     }
     const Stopwatch stopwatch;
-    draw(result, path, watch);
+    draw(result, path, request, watch);
     result.seconds.render = stopwatch.seconds();
     result.counts = countOf(result.film.pixels);
+    if (std::ranges::any_of(settings.aovs(), &Aov::isOfSeenPoint)) {
+        result.seen = seenPoints(scene, camera, settings.isPrimary() ? nullptr : &path, result.film.pixels);
+    }
     if (result.counts.rejected > 0) {
         result.warnings.push_back(
             fmt::format("{} samples were not finite and are left out", result.counts.rejected));
@@ -73,17 +86,18 @@ void take(DeviceRender render, RenderResult& result) {
 
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const PathSettings& path, const OnProgress& watch) {
+    const auto draw = [&](RenderResult& result, const PathSettings& path, const FilmRequest& request,
+                          const OnProgress& watch) {
         result.device = "cpu";
         result.driver = "metamarch";
         result.traversal = "kd_stack";
         if (settings.isPrimary()) {
             const ShadingData shading = makeShadingData(*scene.scene);
-            result.film.pixels = renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle,
-                                             camera, watch);
+            result.film.pixels = renderPrimaryOnCpu(*scene.structure, shading.materials,
+                                                    shading.materialOfTriangle, camera, watch);
         } else {
             result.film = renderPathsOnCpu(*scene.structure, *scene.shading, path, camera,
-                                           settings.samplesPerPixel, settings.filmParts, watch);
+                                           settings.samplesPerPixel, request, watch);
         }
     };
     return renderBy(scene, camera, settings, onProgress, draw);
@@ -91,7 +105,8 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
 
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
                            const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const PathSettings& path, const OnProgress& watch) {
+    const auto draw = [&](RenderResult& result, const PathSettings& path, const FilmRequest& request,
+                          const OnProgress& watch) {
         result.device = scene.device().name();
         result.driver = scene.device().report().driverInfo;
         const TableMethod table = scene.scene().structure->options.table;
@@ -103,7 +118,7 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
                  result);
         } else {
             take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal, path,
-                                     camera, settings.samplesPerPixel, settings.filmParts, watch),
+                                     camera, settings.samplesPerPixel, request, watch),
                  result);
         }
     };

@@ -6,12 +6,15 @@
 //     const RenderResult result = renderPicture(onDevice, camera, settings);
 //     writePicture(result, origin, "picture.exr");
 #pragma once
+#include "metamarch/image/aov.h"
+#include "metamarch/image/cryptomatte.h"
 #include "metamarch/reference/rows.h"
 #include "metamarch/render/device_scene.h"
 #include "metamarch/shared/camera.h"
 #include "metamarch/shared/film_data.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,11 +23,16 @@ namespace metamarch::render {
 struct RenderSettings {
     PathChoice path;
     std::uint32_t samplesPerPixel = 64; // `primary` always takes one
-    std::uint32_t filmParts = 0;        // bits kFilm…, which `primary` does not have
+    // The channels of the picture; empty: those that the integrator writes where nobody chooses.
+    std::vector<Aov> channels{};
+    float missDepth =
+        std::numeric_limits<float>::infinity(); // of its channels Z and t where there is nothing
     // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
     std::string traversal{};
 
     bool isPrimary() const { return path.integrator == Integrator::primary; }
+    AovWriter writer() const { return isPrimary() ? AovWriter::everyIntegrator : AovWriter::pathTracer; }
+    std::vector<Aov> aovs() const { return channels.empty() ? usualAovs(writer()) : channels; }
 };
 
 // Totals over all rays of the picture.
@@ -48,7 +56,9 @@ struct RenderResult {
     RenderSettings settings; // as the caller gave them
     glm::uvec2 size{0};
     FilmData film;
-    bool isCancelled = false; // some pixels have too few samples, or none
+    std::vector<SeenPoint> seen;               // of each pixel, if a channel needs it
+    std::vector<CryptomatteLevel> cryptomatte; // of film.hits, if they are asked
+    bool isCancelled = false;                  // some pixels have too few samples, or none
 
     std::string device; // its name, or "cpu"
     std::string driver;

@@ -2,6 +2,7 @@
 // Declares the settings of a picture, a function for each struct of the libraries.
 #pragma once
 #include "metamarch/accel/options.h"
+#include "metamarch/image/image_file.h"
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/setting.h"
@@ -20,6 +21,9 @@ inline constexpr std::size_t kFilmIntegrators = 3;
 
 void declareCamera(SettingList& list, ViewChoice& view);
 void declareTone(SettingList& list, ToneMapping& tone);
+// `names` is for chooseAovs; empty: nobody chooses.
+void declareChannels(SettingList& list, std::vector<std::string>& names, float& missDepth);
+void declareStorage(SettingList& list, PictureStorage& storage);
 // The integrators that the list offers are the first `integrators` of kIntegrators.
 void declareIntegrator(SettingList& list, PathChoice& path, std::size_t integrators);
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel);

@@ -180,7 +180,8 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     }
     Path ended = path;
     const vec3 whole = path.throughput * gain;
-    ended.gained = path.bounce > 0u ? clampedGain(settings, whole) : whole;
+    const bool isSeen = (settings.strategies & kHideSurroundings) == 0u;
+    ended.gained = path.bounce > 0u ? clampedGain(settings, whole) : isSeen ? whole : vec3(0.0f);
     ended.radiance = path.radiance + ended.gained;
     ended.isAlive = false;
     return ended;

@@ -12,6 +12,8 @@ const uint kBindPathStatus = 44u;
 // converges to the same picture; tests rely on that.
 const uint kSampleLights = 1u;
 const uint kSampleBsdf = 2u;
+// The camera does not see what is all around; it lights the scene all the same.
+const uint kHideSurroundings = 4u;
 
 struct PathSettings {
     vec3 background; // radiance from all directions, if there is no environment map

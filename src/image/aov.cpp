@@ -1,62 +1,159 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/image/aov.h"
 
+#include "metamarch/error/error.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <sstream>
 
 namespace metamarch {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-bool isMiss(const FilmPixel& pixel) { return pixel.seen.triangleId == kNoTriangle; }
+bool isMiss(const AovPixel& pixel) { return pixel.film.seen.triangleId == kNoTriangle; }
 
 // counted() is the number of samples in the sums, taken() that of all samples; both are at least 1.
-float counted(const FilmPixel& pixel) {
-    return static_cast<float>(std::max(pixel.samples - pixel.rejected, 1u));
+float counted(const AovPixel& pixel) {
+    return static_cast<float>(std::max(pixel.film.samples - pixel.film.rejected, 1u));
 }
-float taken(const FilmPixel& pixel) { return static_cast<float>(std::max(pixel.samples, 1u)); }
+float taken(const AovPixel& pixel) { return static_cast<float>(std::max(pixel.film.samples, 1u)); }
 
 // The variance of the pixel's mean, as if its samples were independent. Stratified samples have less.
-glm::vec3 varianceOfMean(const FilmPixel& pixel) {
+glm::vec3 varianceOfMean(const AovPixel& pixel) {
     const float count = counted(pixel);
-    const glm::vec3 mean = meanRadiance(pixel);
-    const glm::vec3 spread = glm::max(pixel.squares / count - mean * mean, glm::vec3(0.0f));
+    const glm::vec3 mean = meanRadiance(pixel.film);
+    const glm::vec3 spread = glm::max(pixel.film.squares / count - mean * mean, glm::vec3(0.0f));
     return spread / std::max(count - 1.0f, 1.0f);
 }
 
 // A channel is the mean over the pixel's samples unless its meaning says otherwise.
 constexpr Aov kAovs[] = {
-    {"R G B", "radiance, linear", [](const FilmPixel& pixel) { return meanRadiance(pixel); }},
-    {"A", "part of the pixel that something covers, 0 to 1",
-     [](const FilmPixel& pixel) { return glm::vec3(pixel.covered / counted(pixel)); }},
-    {"Z", "distance along the view axis, in units of the scene; infinite where the first sample misses",
-     [](const FilmPixel& pixel) { return glm::vec3(isMiss(pixel) ? kInfinity : pixel.seen.depth); }},
-    {"t", "distance along the ray, likewise",
-     [](const FilmPixel& pixel) { return glm::vec3(isMiss(pixel) ? kInfinity : pixel.seen.t); }},
-    {"N.X N.Y N.Z", "geometric normal in world space",
-     [](const FilmPixel& pixel) { return pixel.seen.normal / counted(pixel); }},
-    {"Ns.X Ns.Y Ns.Z", "shading normal in world space",
-     [](const FilmPixel& pixel) { return pixel.seen.shadingNormal / counted(pixel); }, AovWriter::pathTracer},
-    {"albedo.R albedo.G albedo.B", "part of white light that the surface reflects",
-     [](const FilmPixel& pixel) { return pixel.seen.albedo / counted(pixel); }, AovWriter::pathTracer},
-    {"variance.R variance.G variance.B", "variance of the means R G B",
-     [](const FilmPixel& pixel) { return varianceOfMean(pixel); }, AovWriter::pathTracer},
-    {"id.triangle", "triangle of the first sample, exact up to 16,777,216; -1 for a miss",
-     [](const FilmPixel& pixel) {
-         return glm::vec3(isMiss(pixel) ? -1.0f : static_cast<float>(pixel.seen.triangleId));
-     }},
-    {"steps", "table look-ups or nodes visited, of all rays of a sample",
-     [](const FilmPixel& pixel) { return glm::vec3(pixel.steps / taken(pixel)); }, AovWriter::everyIntegrator,
-     AovKind::work},
-    {"tests", "triangle tests, of all rays of a sample",
-     [](const FilmPixel& pixel) { return glm::vec3(pixel.tests / taken(pixel)); }, AovWriter::everyIntegrator,
-     AovKind::work},
+    {.names = "R G B",
+     .meaning = "radiance, linear",
+     .value = [](const AovPixel& pixel) { return meanRadiance(pixel.film); },
+     .use = AovUse::always,
+     .precision = AovPrecision::small},
+    {.names = "A",
+     .meaning = "part of the pixel that something covers, 0 to 1",
+     .value = [](const AovPixel& pixel) { return glm::vec3(pixel.film.covered / counted(pixel)); },
+     .use = AovUse::always,
+     .precision = AovPrecision::small},
+    {.names = "Z",
+     .meaning = "distance along the view axis, in units of the scene; infinite, or what is asked, where "
+                "the first sample misses",
+     .value =
+         [](const AovPixel& pixel) {
+             return glm::vec3(isMiss(pixel) ? pixel.missDepth : pixel.film.seen.depth);
+         }},
+    {.names = "t",
+     .meaning = "distance along the ray, likewise",
+     .value =
+         [](const AovPixel& pixel) {
+             return glm::vec3(isMiss(pixel) ? pixel.missDepth : pixel.film.seen.t);
+         }},
+    {.names = "N.X N.Y N.Z",
+     .meaning = "geometric normal in world space",
+     .value = [](const AovPixel& pixel) { return pixel.film.seen.normal / counted(pixel); },
+     .precision = AovPrecision::small},
+    {.names = "Ns.X Ns.Y Ns.Z",
+     .meaning = "shading normal in world space",
+     .value = [](const AovPixel& pixel) { return pixel.film.seen.shadingNormal / counted(pixel); },
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small},
+    {.names = "albedo.R albedo.G albedo.B",
+     .meaning = "part of white light that the surface reflects",
+     .value = [](const AovPixel& pixel) { return pixel.film.seen.albedo / counted(pixel); },
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small},
+    {.names = "variance.R variance.G variance.B",
+     .meaning = "variance of the means R G B",
+     .value = varianceOfMean,
+     .writer = AovWriter::pathTracer},
+    {.names = "emission.R emission.G emission.B",
+     .meaning = "radiance of lights and surroundings as the camera sees them",
+     .value = [](const AovPixel& pixel) { return pixel.light.emission / counted(pixel); },
+     .use = AovUse::asked,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
+    {.names = "direct.R direct.G direct.B",
+     .meaning = "radiance of light that one surface scattered",
+     .value = [](const AovPixel& pixel) { return pixel.light.direct / counted(pixel); },
+     .use = AovUse::asked,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
+    {.names = "indirect.R indirect.G indirect.B",
+     .meaning = "radiance of light that more surfaces scattered; the three add up to R G B",
+     .value = [](const AovPixel& pixel) { return pixel.light.indirect / counted(pixel); },
+     .use = AovUse::asked,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
+    {.names = "P.X P.Y P.Z",
+     .meaning = "point in world space that the first sample sees; 0 for a miss",
+     .value = [](const AovPixel& pixel) { return pixel.seen.position; },
+     .use = AovUse::asked,
+     .isOfSeenPoint = true},
+    {.names = "UV.U UV.V",
+     .meaning = "its texture coordinates, as glTF has them; 0 for a miss",
+     .value = [](const AovPixel& pixel) { return glm::vec3(pixel.seen.uv, 0.0f); },
+     .use = AovUse::asked,
+     .isOfSeenPoint = true},
+    {.names = "id.triangle",
+     .meaning = "triangle that the first sample sees; 4294967295 for a miss",
+     .id = [](const AovPixel& pixel) { return isMiss(pixel) ? kNoId : pixel.film.seen.triangleId; }},
+    {.names = "id.mesh",
+     .meaning = "its mesh, by its index in the file; likewise",
+     .id = [](const AovPixel& pixel) { return pixel.seen.mesh; },
+     .use = AovUse::asked,
+     .isOfSeenPoint = true},
+    {.names = "id.instance",
+     .meaning = "its mesh at its place in the scene, of which a mesh can have several; likewise",
+     .id = [](const AovPixel& pixel) { return pixel.seen.instance; },
+     .use = AovUse::asked,
+     .isOfSeenPoint = true},
+    {.names = "id.material",
+     .meaning = "its material; likewise, also without a material",
+     .id = [](const AovPixel& pixel) { return pixel.seen.material; },
+     .use = AovUse::asked,
+     .isOfSeenPoint = true},
+    {.names = "cryptomatte",
+     .meaning = "channels CryptoObject00.R to CryptoAsset02.A: how much of the pixel is of which object, "
+                "material or asset",
+     .use = AovUse::asked,
+     .writer = AovWriter::pathTracer,
+     .filmParts = kFilmHits},
+    {.names = "samples",
+     .meaning = "number of samples of the pixel",
+     .id = [](const AovPixel& pixel) { return pixel.film.samples; },
+     .use = AovUse::asked},
+    {.names = "steps",
+     .meaning = "table look-ups or nodes visited, of all rays of a sample",
+     .value = [](const AovPixel& pixel) { return glm::vec3(pixel.film.steps / taken(pixel)); },
+     .kind = AovKind::work},
+    {.names = "tests",
+     .meaning = "triangle tests, of all rays of a sample",
+     .value = [](const AovPixel& pixel) { return glm::vec3(pixel.film.tests / taken(pixel)); },
+     .kind = AovKind::work},
 };
+
+bool isWrittenBy(const Aov& aov, const AovWriter writer) {
+    return aov.writer == AovWriter::everyIntegrator || writer == AovWriter::pathTracer;
+}
+
+std::vector<Aov> rowsWhere(const auto& condition) {
+    std::vector<Aov> rows;
+    std::ranges::copy_if(kAovs, std::back_inserter(rows), condition);
+    return rows;
+}
+
+[[noreturn]] void refuse(std::string line) {
+    throw Error(ErrorKind::invalidArgument, std::move(line), {"aov"});
+}
 
 } // namespace
 
@@ -69,14 +166,56 @@ std::vector<std::string> Aov::channels() const {
     return all;
 }
 
+std::string Aov::name() const {
+    const std::vector<std::string> all = channels();
+    const std::size_t dot = all.front().find('.');
+    return all.size() == 1 ? all.front() : dot == std::string::npos ? "" : all.front().substr(0, dot);
+}
+
 std::span<const Aov> aovs() { return kAovs; }
 
-std::vector<Aov> aovsOf(const AovWriter writer) {
-    std::vector<Aov> written;
-    std::ranges::copy_if(kAovs, std::back_inserter(written), [&](const Aov& aov) {
-        return aov.writer == AovWriter::everyIntegrator || writer == AovWriter::pathTracer;
+std::vector<Aov> usualAovs(const AovWriter writer) {
+    return rowsWhere([&](const Aov& aov) { return aov.use != AovUse::asked && isWrittenBy(aov, writer); });
+}
+
+std::vector<Aov> chooseAovs(const std::span<const std::string> names, const AovWriter writer) {
+    if (names.size() == 1 && names.front() == "all") {
+        return rowsWhere([&](const Aov& aov) { return isWrittenBy(aov, writer); });
+    }
+    for (const std::string& name : names) {
+        const auto* const found =
+            std::ranges::find_if(kAovs, [&](const Aov& aov) { return !name.empty() && aov.name() == name; });
+        if (found == std::end(kAovs)) {
+            std::vector<std::string> known;
+            for (const Aov& aov : kAovs) {
+                known.push_back(aov.name());
+            }
+            std::erase(known, "");
+            refuse(fmt::format("'{}' is no channel; there are {}, and `all` alone", name,
+                               fmt::join(known, " ")));
+        }
+        if (!isWrittenBy(*found, writer)) {
+            refuse(fmt::format("the integrator primary does not know the channel {}", name));
+        }
+    }
+    return rowsWhere([&](const Aov& aov) {
+        return aov.use == AovUse::always || std::ranges::find(names, aov.name()) != names.end();
     });
-    return written;
+}
+
+std::uint32_t filmPartsOf(const std::span<const Aov> chosen) {
+    std::uint32_t parts = 0;
+    for (const Aov& aov : chosen) {
+        parts |= aov.filmParts;
+    }
+    return parts;
+}
+
+bool isSmall(const std::string_view channel) {
+    return std::ranges::any_of(kAovs, [&](const Aov& aov) {
+        const std::vector<std::string> channels = aov.channels();
+        return aov.precision == AovPrecision::small && std::ranges::find(channels, channel) != channels.end();
+    });
 }
 
 std::string aovText() {
@@ -86,8 +225,9 @@ std::string aovText() {
     }
     std::string text;
     for (const Aov& aov : kAovs) {
-        text += fmt::format("{:{}}  {}{}\n", aov.names, width, aov.meaning,
-                            aov.writer == AovWriter::pathTracer ? " (not by primary)" : "");
+        text += fmt::format("{:{}}  {}{}{}\n", aov.names, width, aov.meaning,
+                            aov.writer == AovWriter::pathTracer ? " (not by primary)" : "",
+                            aov.use == AovUse::asked ? " (if asked)" : "");
     }
     return text;
 }

@@ -13,36 +13,58 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct ChannelPair {
-    std::size_t inA;
-    std::size_t inB;
+// A double holds every value of a channel exactly, whatever its type.
+struct Channel {
+    std::string name;
+    bool isOfIds;
+    std::size_t index; // in Image::channels or Image::idChannels
+
+    double at(const Image& image, const std::size_t pixel) const {
+        return isOfIds ? static_cast<double>(image.ids[pixel * image.idChannels.size() + index])
+                       : static_cast<double>(image.pixels[pixel * image.channels.size() + index]);
+    }
 };
 
+struct ChannelPair {
+    Channel inA;
+    Channel inB;
+};
+
+std::vector<Channel> channelsOf(const Image& image) {
+    std::vector<Channel> all;
+    for (std::size_t i = 0; i < image.channels.size(); ++i) {
+        all.push_back({image.channels[i], false, i});
+    }
+    for (std::size_t i = 0; i < image.idChannels.size(); ++i) {
+        all.push_back({image.idChannels[i], true, i});
+    }
+    return all;
+}
+
 // Returns a - b, but 0 for equal infinities and for two NaNs; one NaN gives NaN.
-double signedDifference(float a, float b) {
+double signedDifference(const double a, const double b) {
     if (a == b || (std::isnan(a) && std::isnan(b))) {
         return 0.0;
     }
-    return static_cast<double>(a) - static_cast<double>(b);
+    return a - b;
 }
 
 double absoluteDifference(double difference) {
     return std::isnan(difference) ? kInfinity : std::abs(difference);
 }
 
-double relativeSquare(double absolute, float reference) {
+double relativeSquare(const double absolute, const double reference) {
     if (absolute == 0.0 || std::isinf(absolute)) {
         return absolute;
     }
-    const double squared = static_cast<double>(reference) * static_cast<double>(reference);
-    return absolute * absolute / (squared + kRelativeMseFloor);
+    return absolute * absolute / (reference * reference + kRelativeMseFloor);
 }
 
 // Accumulates the sums for the ChannelComparison of one channel.
 class ChannelSums {
   public:
     // Adds a pixel and returns its absolute difference.
-    double add(float a, float b, std::size_t pixel) {
+    double add(const double a, const double b, const std::size_t pixel) {
         const double difference = signedDifference(a, b);
         const double absolute = absoluteDifference(difference);
         sum_ += difference;
@@ -55,7 +77,7 @@ class ChannelSums {
         return absolute;
     }
 
-    void finish(ChannelComparison& channel, const Image& a, const Image& b, ChannelPair pair) const {
+    void finish(ChannelComparison& channel, const Image& a, const Image& b, const ChannelPair& pair) const {
         const double count = static_cast<double>(a.pixelCount());
         channel.rmse = std::sqrt(squares_ / count);
         channel.relativeMse = relativeSquares_ / count;
@@ -64,8 +86,8 @@ class ChannelSums {
         const std::size_t width = static_cast<std::size_t>(a.width);
         channel.worstX = static_cast<int>(worstPixel_ % width);
         channel.worstY = static_cast<int>(worstPixel_ / width);
-        channel.worstA = a.at(channel.worstX, channel.worstY, pair.inA);
-        channel.worstB = b.at(channel.worstX, channel.worstY, pair.inB);
+        channel.worstA = pair.inA.at(a, worstPixel_);
+        channel.worstB = pair.inB.at(b, worstPixel_);
     }
 
   private:
@@ -78,18 +100,25 @@ class ChannelSums {
 
 std::vector<ChannelPair> commonChannels(const Image& a, const Image& b) {
     std::vector<ChannelPair> pairs;
-    for (std::size_t inA = 0; inA < a.channels.size(); ++inA) {
-        if (const auto inB = b.findChannel(a.channels[inA])) {
+    const std::vector<Channel> ofB = channelsOf(b);
+    for (const Channel& inA : channelsOf(a)) {
+        const auto inB = std::ranges::find(ofB, inA.name, &Channel::name);
+        if (inB != ofB.end()) {
             pairs.push_back({inA, *inB});
         }
     }
     return pairs;
 }
 
+bool hasChannel(const Image& image, const std::string_view name) {
+    return image.findChannel(name) || image.findIdChannel(name);
+}
+
 void addMissingChannels(const Image& from, const Image& in, const char* which, Comparison& comparison) {
-    for (const std::string& name : from.channels) {
-        if (isJudged(name) && !in.findChannel(name)) {
-            comparison.mismatches.push_back("channel " + name + " is only in the " + which + " picture");
+    for (const Channel& channel : channelsOf(from)) {
+        if (isJudged(channel.name) && !hasChannel(in, channel.name)) {
+            comparison.mismatches.push_back("channel " + channel.name + " is only in the " + which +
+                                            " picture");
         }
     }
 }
@@ -102,15 +131,18 @@ void compareChannels(const Image& a, const Image& b, double maxAbs, Comparison& 
     const std::size_t pixels = a.pixelCount();
     const std::vector<ChannelPair> pairs = commonChannels(a, b);
     std::vector<bool> failing(pixels, false);
-    for (const ChannelPair pair : pairs) {
+    for (const ChannelPair& pair : pairs) {
         ChannelComparison& channel = comparison.channels.emplace_back();
-        channel.name = a.channels[pair.inA];
+        channel.name = pair.inA.name;
+        channel.isOfIds = pair.inA.isOfIds && pair.inB.isOfIds;
         channel.judged = isJudged(channel.name);
+        if (pair.inA.isOfIds != pair.inB.isOfIds) {
+            comparison.mismatches.push_back("channel " + channel.name + " has whole numbers only in the " +
+                                            (pair.inA.isOfIds ? "first" : "second") + " picture");
+        }
         ChannelSums sums;
         for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-            const float valueA = a.pixels[pixel * a.channels.size() + pair.inA];
-            const float valueB = b.pixels[pixel * b.channels.size() + pair.inB];
-            if (sums.add(valueA, valueB, pixel) > maxAbs) {
+            if (sums.add(pair.inA.at(a, pixel), pair.inB.at(b, pixel), pixel) > maxAbs) {
                 ++channel.failingPixels;
                 comparison.failingPixels += channel.judged && !failing[pixel];
                 failing[pixel] = failing[pixel] || channel.judged;
@@ -162,21 +194,19 @@ Image differenceImage(const Image& a, const Image& b) {
     const std::vector<ChannelPair> pairs = commonChannels(a, b);
     std::vector<std::string> names;
     names.reserve(pairs.size());
-    for (const ChannelPair pair : pairs) {
-        names.push_back(a.channels[pair.inA]);
+    for (const ChannelPair& pair : pairs) {
+        names.push_back(pair.inA.name);
     }
 
-    Image difference(a.width, a.height, names);
+    Image picture(a.width, a.height, names);
     std::size_t next = 0;
     for (std::size_t pixel = 0; pixel < a.pixelCount(); ++pixel) {
-        for (const ChannelPair pair : pairs) {
-            const float valueA = a.pixels[pixel * a.channels.size() + pair.inA];
-            const float valueB = b.pixels[pixel * b.channels.size() + pair.inB];
-            difference.pixels[next++] =
-                static_cast<float>(absoluteDifference(signedDifference(valueA, valueB)));
+        for (const ChannelPair& pair : pairs) {
+            const double difference = signedDifference(pair.inA.at(a, pixel), pair.inB.at(b, pixel));
+            picture.pixels[next++] = static_cast<float>(absoluteDifference(difference));
         }
     }
-    return difference;
+    return picture;
 }
 
 } // namespace metamarch

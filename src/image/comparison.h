@@ -15,11 +15,12 @@ struct ComparisonBounds {
     double maxFailPercent = 0.0; // the pictures differ if more of their pixels fail
 };
 
-// Compares one channel over all pixels; b is the reference. Equal values, equal infinities and two NaNs
-// differ by 0. One infinity, two opposite infinities or one NaN differ by infinity, so that they neither
-// cancel nor vanish.
+// Compares one channel over all pixels; b is the reference. Whole numbers are compared exactly. Equal values,
+// equal infinities and two NaNs differ by 0. One infinity, two opposite infinities or one NaN differ by
+// infinity, so that they neither cancel nor vanish.
 struct ChannelComparison {
     std::string name;
+    bool isOfIds = false; // whole numbers
     bool judged = true;
     double rmse = 0.0;
     double relativeMse = 0.0; // mean of (a - b)^2 / (b^2 + 0.01): see kRelativeMseFloor
@@ -28,15 +29,16 @@ struct ChannelComparison {
     double maxDifference = 0.0; // largest |a - b|, found first at pixel worstX, worstY
     int worstX = 0;
     int worstY = 0;
-    float worstA = 0.0f;
-    float worstB = 0.0f;
+    double worstA = 0.0;
+    double worstB = 0.0;
     std::uint64_t failingPixels = 0;
     double failingPercent = 0.0;
 };
 
 struct Comparison {
     bool passed = false;
-    // The reasons why the pictures cannot be equal: different sizes, a channel that only one has.
+    // The reasons why the pictures cannot be equal: different sizes, a channel that only one has, a channel
+    // of whole numbers in only one.
     std::vector<std::string> mismatches;
     // The channels that both have, in the order of a; none if the sizes differ.
     std::vector<ChannelComparison> channels;

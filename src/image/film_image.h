@@ -8,7 +8,10 @@
 
 namespace metamarch {
 
-// `film` has width * height pixels in rows from the top. The picture gets the channels of `written`.
-Image filmImage(std::span<const FilmPixel> film, int width, int height, std::span<const Aov> written);
+// `film` has width * height pixels, and the parts that `written` needs. `seen` has a point for each pixel, or
+// none where `written` needs none. The picture gets the channels of `written` but Cryptomatte;
+// `missDepth` is what Z and t are where there is nothing.
+Image filmImage(const FilmData& film, std::span<const SeenPoint> seen, int width, int height,
+                std::span<const Aov> written, float missDepth = std::numeric_limits<float>::infinity());
 
 } // namespace metamarch

@@ -4,94 +4,72 @@
 #include "metamarch/error/error.h"
 #include "metamarch/file/input_file.h"
 #include "metamarch/file/output_file.h"
+#include "metamarch/image/picture_output.h"
 #include "metamarch/shared/packed_pixel.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 namespace metamarch {
 namespace {
 
-// Lets OpenImageIO write into an OutputFile. OpenImageIO's own file classes do not report a full disk that
-// only the last flush notices.
-class OutputFileProxy final : public OIIO::Filesystem::IOProxy {
-  public:
-    explicit OutputFileProxy(OutputFile& output) : IOProxy("", Write), file_(output) {}
-
-    const char* proxytype() const override { return "metamarch"; }
-
-    std::size_t write(const void* data, std::size_t size) override {
-        const std::size_t written = pwrite(data, size, m_pos);
-        m_pos += static_cast<std::int64_t>(written);
-        return written;
-    }
-
-    std::size_t pwrite(const void* data, std::size_t size, std::int64_t offset) override {
-        return file_.write(static_cast<std::uint64_t>(offset), data, size) ? size : 0;
-    }
-
-  private:
-    OutputFile& file_;
-};
-
-std::string oneLine(std::string text) {
-    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) {
-        text.pop_back();
-    }
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
-void writePixels(const OIIO::ImageSpec& spec, const char* format, const OIIO::TypeDesc& type,
-                 const void* pixels, const std::filesystem::path& path) {
-    OutputFile file(path);
-    OutputFileProxy proxy(file);
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format, &proxy);
-    bool done = output && output->open(path.string(), spec);
-    done = done && output->write_image(type, pixels);
-    done = output && output->close() && done;
-    if (!done && !file.failed()) {
-        const std::string reason = output ? output->geterror() : OIIO::geterror();
-        throw Error(ErrorKind::outputNotWritable, "cannot write " + path.string() + ": " + oneLine(reason));
-    }
-    file.commit();
-}
-
-void writeExr(const Image& image, const std::filesystem::path& path) {
-    OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), OIIO::TypeFloat);
-    spec.channelnames = image.channels;
-    spec.attribute("compression", "zip");
-    // The same picture shall be the same bytes. OpenImageIO writes the time of day where this attribute is
-    // absent, and nothing where it is no text, of which it would print a message.
-    spec.attribute(kDateTime, 0);
-    OIIO::attribute("debug", 0);
-    for (const auto& [name, value] : image.attributes) {
-        spec.attribute(name, value);
-    }
-    writePixels(spec, "exr", OIIO::TypeFloat, image.pixels.data(), path);
-}
-
 // PNG stores colours that are not multiplied by alpha. If alpha is 0, no division is possible and the colour
 // stays.
 float unassociated(float color, float alpha) { return alpha > 0.0f && alpha < 1.0f ? color / alpha : color; }
 
-void writePng(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
+// What distinguishes the formats that hold a picture for people.
+struct ShownFormat {
+    PictureFormat format;
+    const char* plugin; // of OpenImageIO
+    bool hasAlpha;
+    bool hasWords; // 16 bits for a colour
+};
+
+constexpr ShownFormat kShownFormats[] = {{PictureFormat::png, "png", true, true},
+                                         {PictureFormat::jpeg, "jpeg", false, false},
+                                         {PictureFormat::webp, "webp", true, false},
+                                         {PictureFormat::tiff, "tiff", true, true}};
+
+const ShownFormat& shownFormat(const PictureFormat format) {
+    return *std::ranges::find(kShownFormats, format, &ShownFormat::format);
+}
+
+// JPEG and WebP lose little at this quality, of 100.
+constexpr int kQuality = 95;
+
+constexpr std::pair<std::string_view, PictureFormat> kEndings[] = {
+    {".exr", PictureFormat::exr},   {".png", PictureFormat::png},   {".jpg", PictureFormat::jpeg},
+    {".jpeg", PictureFormat::jpeg}, {".webp", PictureFormat::webp}, {".tif", PictureFormat::tiff},
+    {".tiff", PictureFormat::tiff}};
+
+// Appends a number of [0, 1] as a whole number of 8 or 16 bits.
+void append(std::vector<std::byte>& bytes, const float value, const std::uint32_t bits) {
+    if (bits == 8) {
+        bytes.push_back(static_cast<std::byte>(toLinear8(value)));
+        return;
+    }
+    const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+    const auto word = static_cast<std::uint16_t>(inside * 65535.0f + 0.5f);
+    bytes.insert(bytes.end(), 2, std::byte{});
+    std::memcpy(&bytes[bytes.size() - 2], &word, 2);
+}
+
+void writeShown(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping,
+                const ShownFormat& format, const std::uint32_t bits) {
     const auto red = image.findChannel("R");
     const auto green = image.findChannel("G");
     const auto blue = image.findChannel("B");
-    const auto alpha = image.findChannel("A");
+    const auto alpha = format.hasAlpha ? image.findChannel("A") : std::nullopt;
     if (!red || !green || !blue) {
         throw Error(ErrorKind::invalidArgument,
                     path.string() + ": a PNG needs the channels R, G and B; write an .exr");
     }
 
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(image.pixelCount() * 4);
+    std::vector<std::byte> bytes;
+    bytes.reserve(image.pixelCount() * 4 * (bits / 8));
     for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
         const float* values = &image.pixels[pixel * image.channels.size()];
         const float coverage = alpha ? values[*alpha] : 1.0f;
@@ -99,44 +77,74 @@ void writePng(const Image& image, const std::filesystem::path& path, const ToneM
                                  unassociated(values[*blue], coverage));
         const glm::vec3 shown = toneMapped(toneMapping, radiance);
         for (int color = 0; color < 3; ++color) {
-            bytes.push_back(static_cast<std::uint8_t>(toSrgb8(shown[color])));
+            append(bytes, srgbCoded(std::min(shown[color], 1.0f)), bits);
         }
         if (alpha) {
-            bytes.push_back(static_cast<std::uint8_t>(toLinear8(coverage)));
+            append(bytes, coverage, bits);
         }
     }
 
-    OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3, OIIO::TypeUInt8);
+    OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3,
+                         bits == 8 ? OIIO::TypeUInt8 : OIIO::TypeUInt16);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    writePixels(spec, "png", OIIO::TypeUInt8, bytes.data(), path);
+    spec.attribute("CompressionQuality", kQuality);
+    spec.attribute(kDateTime, 0); // as in addAttributes of exr_file.cpp
+    writeParts(path, format.plugin, {&spec, 1}, [&](std::size_t) { return std::move(bytes); });
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
+                         std::vector<std::string> settings = {}) {
+    throw Error(ErrorKind::invalidArgument, path.string() + ": " + reason, std::move(settings));
+}
+
+PictureFormat formatByName(const std::filesystem::path& path, const std::optional<PictureFormat> wanted) {
+    const std::string ending = lowerCaseEnding(path);
+    const auto* const known =
+        std::ranges::find(kEndings, ending, &std::pair<std::string_view, PictureFormat>::first);
+    if (known != std::end(kEndings)) {
+        if (wanted && *wanted != known->second) {
+            refuse(path, "the ending stands for another format", {"format"});
+        }
+        return known->second;
+    }
+    if (ending.empty() && OutputTarget(path).isStream()) {
+        return wanted.value_or(PictureFormat::exr); // the format that holds all channels
+    }
+    refuse(path, "a picture is written as .exr, .png, .jpg, .webp or .tif");
 }
 
 } // namespace
 
-PictureFormat pictureFormatOf(const std::filesystem::path& path) {
-    const std::string ending = lowerCaseEnding(path);
-    if (ending == ".exr") {
-        return PictureFormat::exr;
+PictureFormat pictureFormatOf(const std::filesystem::path& path, const PictureStorage& storage) {
+    const PictureFormat format = formatByName(path, storage.format);
+    if (format == PictureFormat::exr) {
+        if (storage.bits != 8) {
+            refuse(path, "a PNG or a TIFF has 8 or 16 bits, an EXR has floats", {"bits"});
+        }
+        return format;
     }
-    if (ending == ".png") {
-        return PictureFormat::png;
+    if (!(storage.exr == ExrStorage{})) {
+        refuse(path, "only an EXR has these", {"half", "compression", "tiled", "multipart"});
     }
-    if (ending.empty() && OutputTarget(path).isStream()) {
-        return PictureFormat::exr; // the format that holds all channels
+    if (storage.bits != 8 && !shownFormat(format).hasWords) {
+        refuse(path, "only a PNG or a TIFF has 16 bits", {"bits"});
     }
-    throw Error(ErrorKind::invalidArgument, path.string() + ": a picture is written as .exr or .png");
+    return format;
 }
 
-void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping) {
-    if (image.width <= 0 || image.height <= 0 || image.channels.empty() ||
-        image.pixels.size() != image.pixelCount() * image.channels.size()) {
+void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping,
+                const PictureStorage& storage) {
+    if (image.width <= 0 || image.height <= 0 || image.channels.size() + image.idChannels.size() == 0 ||
+        image.pixels.size() != image.pixelCount() * image.channels.size() ||
+        image.ids.size() != image.pixelCount() * image.idChannels.size()) {
         throw std::invalid_argument("writeImage: size, channels and pixels do not fit together");
     }
-    if (pictureFormatOf(path) == PictureFormat::exr) {
-        writeExr(image, path);
+    const PictureFormat format = pictureFormatOf(path, storage);
+    if (format == PictureFormat::exr) {
+        writeExr(image, path, storage.exr);
     } else {
-        writePng(image, path, toneMapping);
+        writeShown(image, path, toneMapping, shownFormat(format), storage.bits);
     }
 }
 
@@ -145,8 +153,8 @@ void setImageThreads(const int threads) {
     OIIO::attribute("exr_threads", threads > 1 ? threads : -1); // -1: the calling thread
 }
 
-void checkWritable(const std::filesystem::path& path) {
-    pictureFormatOf(path);
+void checkWritable(const std::filesystem::path& path, const PictureStorage& storage) {
+    pictureFormatOf(path, storage);
     const OutputFile probe(path);
 }
 

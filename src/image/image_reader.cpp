@@ -3,6 +3,7 @@
 // what a header says.
 #include "metamarch/error/error.h"
 #include "metamarch/file/input_file.h"
+#include "metamarch/image/aov.h"
 #include "metamarch/image/image_file.h"
 #include "metamarch/image/radiance_file.h"
 
@@ -54,8 +55,7 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const std::filesystem::path& path)
     return input;
 }
 
-void checkSupported(OIIO::ImageInput& input, const std::filesystem::path& path) {
-    const OIIO::ImageSpec spec = input.spec();
+void checkSupported(const OIIO::ImageSpec& spec, const std::filesystem::path& path) {
     if (spec.deep) {
         refuse(path, "it is a deep picture; flatten it first");
     }
@@ -65,22 +65,66 @@ void checkSupported(OIIO::ImageInput& input, const std::filesystem::path& path) 
     if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) {
         refuse(path, "it has no pixels");
     }
-    if (input.seek_subimage(1, 0)) {
-        refuse(path, "it has several parts; give a picture of one part");
-    }
-    input.seek_subimage(0, 0);
 }
 
-bool readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int yBegin, int yEnd, float* rows) {
+// Neighbouring channels that are all whole numbers, or all not.
+struct ChannelRun {
+    int begin;
+    int end;
+    bool isOfIds;
+    std::size_t first; // the index of the first one in Image::channels or Image::idChannels
+
+    std::size_t count() const { return static_cast<std::size_t>(end - begin); }
+};
+
+// Adds the channels of `spec` to the picture.
+std::vector<ChannelRun> addChannels(const OIIO::ImageSpec& spec, Image& image) {
+    std::vector<ChannelRun> runs;
+    for (int i = 0; i < spec.nchannels; ++i) {
+        const bool isOfIds = spec.channelformat(i) == OIIO::TypeUInt32;
+        std::vector<std::string>& names = isOfIds ? image.idChannels : image.channels;
+        if (runs.empty() || runs.back().isOfIds != isOfIds) {
+            runs.push_back({i, i, isOfIds, names.size()});
+        }
+        ++runs.back().end;
+        names.push_back(spec.channelnames[static_cast<std::size_t>(i)]);
+    }
+    return runs;
+}
+
+bool readRows(OIIO::ImageInput& input, const int part, const OIIO::ImageSpec& spec, const ChannelRun& run,
+              const int yBegin, const int yEnd, const OIIO::TypeDesc type, void* const rows) {
     if (spec.tile_width > 0) {
-        return input.read_tiles(0, 0, spec.x, spec.x + spec.width, yBegin, yEnd, spec.z, spec.z + 1, 0,
-                                spec.nchannels, OIIO::TypeFloat, rows);
+        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, yBegin, yEnd, spec.z, spec.z + 1,
+                                run.begin, run.end, type, rows);
     }
-    return input.read_scanlines(0, 0, yBegin, yEnd, spec.z, 0, spec.nchannels, OIIO::TypeFloat, rows);
+    return input.read_scanlines(part, 0, yBegin, yEnd, spec.z, run.begin, run.end, type, rows);
 }
 
-// Returns the part of the picture's frame, the display window, that the file's pixels fill: 0 stands for the
-// pixels that the file leaves out, and those outside the frame are dropped.
+// Reads the run's values of some rows and appends them to `values`, of which a pixel has `stride`.
+template <class T>
+bool appendRows(OIIO::ImageInput& input, const int part, const OIIO::ImageSpec& spec, const ChannelRun& run,
+                const int row, const int rows, const OIIO::TypeDesc type, const std::size_t stride,
+                std::vector<T>& values) {
+    const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(spec.width);
+    const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(spec.width);
+    values.resize(std::max(values.size(), (first + count) * stride));
+    const auto read = [&](T* const to) {
+        return readRows(input, part, spec, run, spec.y + row, spec.y + row + rows, type, to);
+    };
+    if (run.count() == stride) {
+        return read(&values[first * stride]);
+    }
+    std::vector<T> band(count * run.count());
+    const bool isRead = read(band.data());
+    for (std::size_t pixel = 0; pixel < count; ++pixel) {
+        std::copy_n(&band[pixel * run.count()], run.count(), &values[(first + pixel) * stride + run.first]);
+    }
+    return isRead;
+}
+
+// Returns the part of the picture's frame, the display window, that the file's pixels fill: 0 or kNoId stands
+// for the pixels that the file leaves out, and those outside the frame are dropped.
 Image framed(Image data, const OIIO::ImageSpec& spec, const std::filesystem::path& path) {
     const bool isWhole = spec.full_x == spec.x && spec.full_y == spec.y && spec.full_width == spec.width &&
                          spec.full_height == spec.height;
@@ -95,7 +139,8 @@ Image framed(Image data, const OIIO::ImageSpec& spec, const std::filesystem::pat
         refuse(path, fmt::format("its display window of {} x {} is too large for its data window of {} x {}",
                                  spec.full_width, spec.full_height, spec.width, spec.height));
     }
-    Image frame(spec.full_width, spec.full_height, data.channels);
+    Image frame(spec.full_width, spec.full_height, data.channels, data.idChannels);
+    std::ranges::fill(frame.ids, kNoId);
     for (int y = 0; y < data.height; ++y) {
         for (int x = 0; x < data.width; ++x) {
             const std::int64_t column = std::int64_t{spec.x} - spec.full_x + x;
@@ -103,12 +148,64 @@ Image framed(Image data, const OIIO::ImageSpec& spec, const std::filesystem::pat
             if (column < 0 || column >= frame.width || row < 0 || row >= frame.height) {
                 continue;
             }
-            for (std::size_t channel = 0; channel < data.channels.size(); ++channel) {
-                frame.at(static_cast<int>(column), static_cast<int>(row), channel) = data.at(x, y, channel);
-            }
+            const auto from = static_cast<std::size_t>(y) * static_cast<std::size_t>(data.width) +
+                              static_cast<std::size_t>(x);
+            const auto to = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.width) +
+                            static_cast<std::size_t>(column);
+            std::copy_n(data.pixels.begin() + static_cast<std::ptrdiff_t>(from * data.channels.size()),
+                        data.channels.size(),
+                        frame.pixels.begin() + static_cast<std::ptrdiff_t>(to * data.channels.size()));
+            std::copy_n(data.ids.begin() + static_cast<std::ptrdiff_t>(from * data.idChannels.size()),
+                        data.idChannels.size(),
+                        frame.ids.begin() + static_cast<std::ptrdiff_t>(to * data.idChannels.size()));
         }
     }
     return frame;
+}
+
+Image readPart(OIIO::ImageInput& input, const int part, const std::filesystem::path& path) {
+    const OIIO::ImageSpec spec = input.spec();
+    checkSupported(spec, path);
+    Image image;
+    image.width = spec.width;
+    image.height = spec.height;
+    const std::vector<ChannelRun> runs = addChannels(spec, image);
+    const int band = spec.tile_width > 0 ? spec.tile_height : 64;
+    for (int row = 0; row < spec.height; row += band) {
+        const int rows = std::min(band, spec.height - row);
+        for (const ChannelRun& run : runs) {
+            const bool isRead = run.isOfIds ? appendRows(input, part, spec, run, row, rows, OIIO::TypeUInt32,
+                                                         image.idChannels.size(), image.ids)
+                                            : appendRows(input, part, spec, run, row, rows, OIIO::TypeFloat,
+                                                         image.channels.size(), image.pixels);
+            if (!isRead) {
+                refuse(path, input.geterror());
+            }
+        }
+    }
+    image = framed(std::move(image), spec, path);
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        if (attribute.type() == OIIO::TypeString) {
+            image.attributes.emplace_back(attribute.name().string(), attribute.get_string());
+        }
+    }
+    return image;
+}
+
+// Adds the channels of a further part.
+void addPart(Image& image, const Image& part, const std::filesystem::path& path) {
+    if (part.width != image.width || part.height != image.height) {
+        refuse(path, "it has several parts of different sizes; give a picture of one part");
+    }
+    for (const std::vector<std::string>* const names : {&part.channels, &part.idChannels}) {
+        for (const std::string& name : *names) {
+            if (image.findChannel(name) || image.findIdChannel(name)) {
+                refuse(path, fmt::format("several of its parts have a channel {}; give a picture of one part",
+                                         name));
+            }
+        }
+    }
+    image.append(part);
 }
 
 } // namespace
@@ -123,28 +220,9 @@ Image readImage(const std::filesystem::path& path) {
         return readRadiance(*bytes, path);
     }
     const std::unique_ptr<OIIO::ImageInput> input = openPicture(path);
-    checkSupported(*input, path);
-    const OIIO::ImageSpec spec = input->spec();
-
-    Image image;
-    image.width = spec.width;
-    image.height = spec.height;
-    image.channels = spec.channelnames;
-    const std::size_t rowValues = static_cast<std::size_t>(spec.width) * image.channels.size();
-    const int band = spec.tile_width > 0 ? spec.tile_height : 64;
-    for (int row = 0; row < spec.height; row += band) {
-        const int rows = std::min(band, spec.height - row);
-        const std::size_t begin = image.pixels.size();
-        image.pixels.resize(begin + static_cast<std::size_t>(rows) * rowValues);
-        if (!readRows(*input, spec, spec.y + row, spec.y + row + rows, &image.pixels[begin])) {
-            refuse(path, input->geterror());
-        }
-    }
-    image = framed(std::move(image), spec, path);
-    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
-        if (attribute.type() == OIIO::TypeString) {
-            image.attributes.emplace_back(attribute.name().string(), attribute.get_string());
-        }
+    Image image = readPart(*input, 0, path);
+    for (int part = 1; input->seek_subimage(part, 0); ++part) {
+        addPart(image, readPart(*input, part, path), path);
     }
     return image;
 }

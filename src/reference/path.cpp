@@ -77,12 +77,16 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
 }
 
 // Adds the block of samples [first, end) of the pixel with this index to the film.
-void addBlock(const Render& render, const uint index, const uint first, const uint end, FilmData& film) {
+void addBlock(const Render& render, const FilmRequest& request, const uint index, const uint first,
+              const uint end, FilmData& film) {
     FilmPixel block = emptyPixel();
     LightParts light = noLight();
     for (uint sample = first; sample < end; ++sample) {
         const PathSample taken =
             takeSample(render, index % render.camera.width, index / render.camera.width, sample);
+        if (!film.hits.empty() && taken.first.triangleId != kNoTriangle) {
+            film.addHit(index, request.groups[taken.first.triangleId]);
+        }
         light = endSampleLight(light, taken);
         block = endSample(block, taken);
     }
@@ -96,14 +100,15 @@ void addBlock(const Render& render, const uint index, const uint first, const ui
 } // namespace
 
 FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                      const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
-                      const std::uint32_t parts, const OnProgress& onProgress) {
-    FilmData film(std::size_t{camera.width} * camera.height, parts);
+                          const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
+                          const FilmRequest& request, const OnProgress& onProgress) {
+    FilmData film(std::size_t{camera.width} * camera.height, request.parts);
     const Render render{structure, scene, settings, camera};
     const auto renderRow = [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {
             for (uint first = 0; first < samples; first += kBlockSamples) {
-                addBlock(render, y * camera.width + x, first, std::min(first + kBlockSamples, samples), film);
+                addBlock(render, request, y * camera.width + x, first,
+                         std::min(first + kBlockSamples, samples), film);
             }
         }
     };

@@ -10,10 +10,10 @@
 
 namespace metamarch {
 
-// Returns camera.width * camera.height pixels with `samples` samples each, and the parts kFilm… of the film
-// that `parts` names. Uses all cores. Rows that are cancelled stay empty.
+// Returns camera.width * camera.height pixels with `samples` samples each, and what `request` asks for
+// besides. Uses all cores. Rows that are cancelled stay empty.
 FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                      const PathSettings& settings, const Camera& camera, std::uint32_t samples,
-                      std::uint32_t parts, const OnProgress& onProgress = {});
+                          const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                          const FilmRequest& request, const OnProgress& onProgress = {});
 
 } // namespace metamarch

@@ -45,6 +45,7 @@ struct PathChoice {
     std::uint32_t seed = 0;
     float clamp = 0.0f; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
     Brdf brdf = Brdf::compensated;
+    bool isTransparent = false; // the camera does not see what is all around
 
     bool operator==(const PathChoice&) const = default;
 
@@ -54,7 +55,7 @@ struct PathChoice {
     PathSettings applied(PathSettings settings) const {
         settings.maxBounces = integrator == Integrator::path ? maxBounces : 0;
         settings.seed = seed;
-        settings.strategies = kSampleLights | kSampleBsdf;
+        settings.strategies = kSampleLights | kSampleBsdf | (isTransparent ? kHideSurroundings : 0u);
         settings.clampLuminance = clamp;
         return settings;
     }

@@ -77,7 +77,7 @@ class RenderTest(ProgramTest):
         for _, triangle, z, t in hits:
             self.assertIn(triangle, range(32))
             self.assertTrue(0 < z <= t < math.inf)
-        self.assertEqual(set(misses), {(0, -1, math.inf, math.inf)})
+        self.assertEqual(set(misses), {(0, 4294967295, math.inf, math.inf)})
 
     def test_the_picture_is_upright_and_not_mirrored(self):
         picture = self.picture(CORNELL, "--size", "40x30")

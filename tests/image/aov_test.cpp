@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The table of channels, and their values for a pixel of the film.
+#include "fixtures/expect_error.h"
 #include "metamarch/image/film_image.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +21,18 @@ float valueOf(const Image& image, const std::string_view channel) {
     return image.at(0, 0, image.findChannel(channel).value());
 }
 
-Image imageOf(const FilmPixel& pixel) { return filmImage({&pixel, 1}, 1, 1, aovs()); }
+std::uint32_t idOf(const Image& image, const std::string_view channel) {
+    return image.ids[image.findIdChannel(channel).value()];
+}
+
+// With every channel of the table.
+Image imageOf(const FilmPixel& pixel, const LightParts& light = noLight(),
+              const std::vector<SeenPoint>& seen = {}) {
+    FilmData film(1, kFilmLight);
+    film.pixels.front() = pixel;
+    film.light.front() = light;
+    return filmImage(film, seen, 1, 1, aovs());
+}
 
 FirstHit hitAt(const float t) {
     FirstHit hit = missFirst();
@@ -37,8 +50,10 @@ TEST(Aov, hasNamesOfItsOwnAndAMeaning) {
     for (const Aov& aov : aovs()) {
         SCOPED_TRACE(aov.names);
         const std::vector<std::string> channels = aov.channels();
-        EXPECT_TRUE(channels.size() == 1 || channels.size() == 3) << "channels";
+        EXPECT_TRUE(channels.size() >= 1 && channels.size() <= 3) << "channels";
         EXPECT_FALSE(aov.meaning.empty());
+        EXPECT_EQ((aov.value != nullptr) + (aov.id != nullptr) + aov.isCryptomatte(), 1);
+        EXPECT_TRUE(aov.id == nullptr || channels.size() == 1);
         for (const std::string& channel : channels) {
             EXPECT_TRUE(all.insert(channel).second) << channel;
         }
@@ -52,16 +67,56 @@ TEST(Aov, isListedInTheReadme) {
                                                                              << aovText() << "```";
 }
 
-TEST(Aov, isWrittenByItsIntegrators) {
-    EXPECT_EQ(aovsOf(AovWriter::pathTracer).size(), aovs().size());
-    const std::vector<Aov> ofPrimary = aovsOf(AovWriter::everyIntegrator);
-    EXPECT_LT(ofPrimary.size(), aovs().size());
-    for (const Aov& aov : ofPrimary) {
-        EXPECT_EQ(aov.writer, AovWriter::everyIntegrator) << aov.names;
+std::vector<std::string> namesOf(const std::vector<Aov>& rows) {
+    std::vector<std::string> names;
+    for (const Aov& aov : rows) {
+        names.push_back(aov.name());
     }
-    const Image image = filmImage({}, 0, 0, ofPrimary);
-    EXPECT_TRUE(image.findChannel("N.X"));
-    EXPECT_FALSE(image.findChannel("albedo.R"));
+    return names;
+}
+
+TEST(Aov, isWrittenByItsIntegrators) {
+    const std::vector<std::string> all = {"all"};
+    EXPECT_EQ(chooseAovs(all, AovWriter::pathTracer).size(), aovs().size());
+    for (const std::vector<Aov>& ofPrimary :
+         {chooseAovs(all, AovWriter::everyIntegrator), usualAovs(AovWriter::everyIntegrator)}) {
+        for (const Aov& aov : ofPrimary) {
+            EXPECT_EQ(aov.writer, AovWriter::everyIntegrator) << aov.names;
+            EXPECT_EQ(aov.filmParts, 0u) << aov.names;
+        }
+        const Image image = filmImage({}, {}, 0, 0, ofPrimary);
+        EXPECT_TRUE(image.findChannel("N.X"));
+        EXPECT_FALSE(image.findChannel("albedo.R"));
+    }
+}
+
+TEST(Aov, isChosenByName) {
+    const auto choose = [](const std::vector<std::string>& names) {
+        return chooseAovs(names, AovWriter::pathTracer);
+    };
+    EXPECT_EQ(namesOf(choose({"P", "id.mesh", "Z"})),
+              (std::vector<std::string>{"", "A", "Z", "P", "id.mesh"})); // in the table's order
+    EXPECT_EQ(filmPartsOf(choose({"Z"})), 0u);
+    EXPECT_EQ(filmPartsOf(choose({"Z", "direct"})), kFilmLight);
+    EXPECT_EQ(filmPartsOf(choose({"cryptomatte"})), kFilmHits);
+    EXPECT_EQ(filmPartsOf(usualAovs(AovWriter::pathTracer)), 0u) << "what nobody asks for costs nothing";
+    for (const char* const name : {"", "R", "albedo.R", "z", "all"}) {
+        expectError(ErrorKind::invalidArgument, fmt::format("'{}' is no channel", name), [&] {
+            choose({"Z", name});
+        });
+    }
+    const std::vector<std::string> albedo = {"albedo"};
+    expectError(ErrorKind::invalidArgument, "primary does not know the channel albedo",
+                [&] { chooseAovs(albedo, AovWriter::everyIntegrator); });
+}
+
+TEST(Aov, isSmallOnlyWhere16BitsSuffice) {
+    for (const char* const channel : {"R", "A", "N.X", "Ns.Z", "albedo.G", "direct.B", "emission.R"}) {
+        EXPECT_TRUE(isSmall(channel)) << channel;
+    }
+    for (const char* const channel : {"Z", "t", "P.X", "UV.U", "variance.R", "steps", "other"}) {
+        EXPECT_FALSE(isSmall(channel)) << channel;
+    }
 }
 
 // Adds a hit, a miss and a sample that is not a number.
@@ -82,7 +137,8 @@ TEST(Aov, isAMeanOrOfTheFirstSample) {
     EXPECT_EQ(valueOf(image, "Ns.Z"), 0.5f);
     EXPECT_EQ(valueOf(image, "albedo.B"), 0.375f);
     EXPECT_EQ(valueOf(image, "variance.R"), 1.0f); // squares 4 and 0, mean 1, two samples
-    EXPECT_EQ(valueOf(image, "id.triangle"), 7.0f);
+    EXPECT_EQ(idOf(image, "id.triangle"), 7u);
+    EXPECT_EQ(idOf(image, "samples"), 3u);
     EXPECT_EQ(valueOf(image, "steps"), 10.0f);
     EXPECT_EQ(valueOf(image, "tests"), 2.0f);
 }
@@ -93,8 +149,42 @@ TEST(Aov, isInfiniteOrNoIdForAMiss) {
     EXPECT_EQ(valueOf(image, "A"), 0.0f);
     EXPECT_EQ(valueOf(image, "Z"), kInf);
     EXPECT_EQ(valueOf(image, "t"), kInf);
-    EXPECT_EQ(valueOf(image, "id.triangle"), -1.0f);
+    for (const char* const channel : {"id.triangle", "id.mesh", "id.instance", "id.material"}) {
+        EXPECT_EQ(idOf(image, channel), 4294967295u) << channel;
+    }
+    EXPECT_EQ(valueOf(image, "P.X"), 0.0f);
+    EXPECT_EQ(valueOf(image, "UV.V"), 0.0f);
     EXPECT_EQ(valueOf(image, "variance.R"), 0.0f);
+    const FilmPixel miss = addSample(emptyPixel(), glm::vec3(1.0f), missFirst());
+    FilmData film(1, 0);
+    film.pixels.front() = miss;
+    const Image finite = filmImage(film, {}, 1, 1, aovs(), 1e10f);
+    EXPECT_EQ(valueOf(finite, "Z"), 1e10f);
+    EXPECT_EQ(valueOf(finite, "t"), 1e10f);
+}
+
+TEST(Aov, isWhatTheFirstSampleSees) {
+    const FilmPixel pixel = addSample(emptyPixel(), glm::vec3(1.0f), hitAt(8.0f));
+    const Image image = imageOf(pixel, noLight(), {{{1.0f, 2.0f, 3.0f}, {0.25f, 0.75f}, 4, 5, 16777217}});
+    EXPECT_EQ(valueOf(image, "P.Y"), 2.0f);
+    EXPECT_EQ(valueOf(image, "UV.U"), 0.25f);
+    EXPECT_EQ(valueOf(image, "UV.V"), 0.75f);
+    EXPECT_EQ(idOf(image, "id.mesh"), 4u);
+    EXPECT_EQ(idOf(image, "id.instance"), 5u);
+    EXPECT_EQ(idOf(image, "id.material"), 16777217u); // no float holds it
+}
+
+TEST(Aov, dividesLightByScatterings) {
+    FilmPixel pixel = addSample(emptyPixel(), glm::vec3(1.0f), hitAt(1.0f));
+    pixel = addSample(pixel, glm::vec3(3.0f), hitAt(1.0f));
+    LightParts light = noLight();
+    for (const std::uint32_t scatterings : {0u, 1u, 2u, 7u}) {
+        light = addLight(light, scatterings, glm::vec3(0.5f, 1.0f, 2.0f));
+    }
+    const Image image = imageOf(pixel, light);
+    EXPECT_EQ(valueOf(image, "emission.B"), 1.0f);
+    EXPECT_EQ(valueOf(image, "direct.R"), 0.25f);
+    EXPECT_EQ(valueOf(image, "indirect.G"), 1.0f);
 }
 
 TEST(Aov, isANumberBeforeTheFirstSample) {

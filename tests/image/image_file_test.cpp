@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <limits>
 
 namespace metamarch {
@@ -23,7 +24,8 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 
 // Returns a picture with every channel that an integrator writes, and with values that careless code loses.
 Image everyChannel() {
-    Image image(70, 67, filmImage({}, 0, 0, aovs()).channels);
+    const Image empty = filmImage({}, {}, 0, 0, aovs());
+    Image image(70, 67, empty.channels, empty.idChannels);
     const float special[] = {0.0f,
                              -0.0f,
                              -1.0f,
@@ -36,6 +38,9 @@ Image everyChannel() {
                              1.0f / 3.0f};
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = i % 3 == 0 ? special[i % std::size(special)] : static_cast<float>(i);
+    }
+    for (std::size_t i = 0; i < image.ids.size(); ++i) {
+        image.ids[i] = kNoId - static_cast<std::uint32_t>(i * 7919);
     }
     return image;
 }
@@ -80,27 +85,122 @@ TEST(ImageFile, DataWindowIsPlacedInTheDisplayWindow) {
                 [&] { readImage(write(0, 0, 100000, 100000)); });
 }
 
-TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
-    const TemporaryFolder folder;
-    const Image written = everyChannel();
-    writeImage(written, folder / "a.exr");
-    const Image read = readImage(folder / "a.exr");
-
+// Expects the same channels, to the bit, but for those that `isLossy` names.
+void expectSamePicture(const Image& read, const Image& written,
+                       const std::function<bool(const std::string&)>& isLossy = {}) {
     ASSERT_EQ(read.width, written.width);
     ASSERT_EQ(read.height, written.height);
     ASSERT_EQ(read.channels.size(), written.channels.size());
-    for (std::size_t channel = 0; channel < written.channels.size(); ++channel) {
-        const auto found = read.findChannel(written.channels[channel]);
-        ASSERT_TRUE(found) << written.channels[channel];
-        for (int y = 0; y < written.height; ++y) {
-            for (int x = 0; x < written.width; ++x) {
-                ASSERT_EQ(std::bit_cast<std::uint32_t>(read.at(x, y, *found)),
-                          std::bit_cast<std::uint32_t>(written.at(x, y, channel)))
-                    << written.channels[channel] << " at " << x << "," << y;
-            }
+    ASSERT_EQ(read.idChannels.size(), written.idChannels.size());
+    for (std::size_t pixel = 0; pixel < written.pixelCount(); ++pixel) {
+        for (std::size_t channel = 0; channel < written.channels.size(); ++channel) {
+            const std::string& name = written.channels[channel];
+            const float value = read.pixels[pixel * read.channels.size() + read.findChannel(name).value()];
+            const float expected = written.pixels[pixel * written.channels.size() + channel];
+            ASSERT_TRUE(std::bit_cast<std::uint32_t>(value) == std::bit_cast<std::uint32_t>(expected) ||
+                        (isLossy && isLossy(name)))
+                << name << ", pixel " << pixel << ": " << value << ", expected " << expected;
+        }
+        for (std::size_t channel = 0; channel < written.idChannels.size(); ++channel) {
+            const std::string& name = written.idChannels[channel];
+            ASSERT_EQ(read.ids[pixel * read.idChannels.size() + read.findIdChannel(name).value()],
+                      written.ids[pixel * written.idChannels.size() + channel])
+                << name << ", pixel " << pixel;
         }
     }
+}
+
+TEST(ImageFile, ExrKeepsEveryBitOfEveryChannel) {
+    const TemporaryFolder folder;
+    const Image written = everyChannel();
+    for (const ExrStorage& storage :
+         {ExrStorage{}, ExrStorage{.compression = ExrCompression::zips},
+          ExrStorage{.compression = ExrCompression::piz}, ExrStorage{.compression = ExrCompression::none},
+          ExrStorage{.isTiled = true}, ExrStorage{.isMultipart = true},
+          ExrStorage{.isTiled = true, .isMultipart = true}}) {
+        writeImage(written, folder / "a.exr", {}, {.exr = storage});
+        expectSamePicture(readImage(folder / "a.exr"), written);
+    }
     EXPECT_EQ(folder.fileCount(), 1u) << "a temporary file is left";
+}
+
+// What 16 bits or a lossy method may change, and by how much.
+TEST(ImageFile, ExrIsSmallerWhereThatIsAsked) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "a.exr";
+    const Image special = everyChannel();
+    writeImage(special, path, {}, {.exr = {.isHalf = true}});
+    expectSamePicture(readImage(path), special, isSmall);
+
+    Image gradient(64, 64, {"R", "G", "B", "A", "Z", "N.X", "albedo.R"}, {"id.mesh"});
+    for (std::size_t i = 0; i < gradient.pixels.size(); ++i) {
+        gradient.pixels[i] = static_cast<float>(i) * 1e-4f;
+    }
+    writeImage(gradient, path, {}, {.exr = {.isHalf = true, .compression = ExrCompression::dwaa}});
+    const Image read = readImage(path);
+    expectSamePicture(read, gradient, [](const std::string& name) { return name != "Z"; });
+    for (const char* const name : {"R", "A", "N.X", "albedo.R"}) {
+        const std::size_t a = gradient.findChannel(name).value();
+        const std::size_t b = read.findChannel(name).value();
+        EXPECT_NEAR(read.at(40, 50, b), gradient.at(40, 50, a), 0.01f) << name;
+        EXPECT_NE(read.at(40, 50, b), gradient.at(40, 50, a)) << name;
+    }
+
+    // The largest number of 16 bits stands for larger ones, and infinity stays.
+    writeImage(flat({"R", "G", "B"}, {1e9f, -kInf, -65505.0f}), path, {}, {.exr = {.isHalf = true}});
+    const Image bright = readImage(path);
+    EXPECT_EQ(bright.at(0, 0, bright.findChannel("R").value()), 65504.0f);
+    EXPECT_EQ(bright.at(0, 0, bright.findChannel("G").value()), -kInf);
+    EXPECT_EQ(bright.at(0, 0, bright.findChannel("B").value()), -65504.0f);
+}
+
+TEST(ImageFile, ExrHasAPartForEachLayer) {
+    const TemporaryFolder folder;
+    writeImage(Image(2, 2, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z"}, {"id.mesh", "id.material"}),
+               folder / "a.exr", {}, {.exr = {.isMultipart = true}});
+    const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
+    const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+        {"rgba", {"R", "G", "B", "A"}},
+        {"Z", {"Z"}},
+        {"N", {"N.X", "N.Y", "N.Z"}},
+        {"id", {"id.material", "id.mesh"}}};
+    for (std::size_t part = 0; part < expected.size(); ++part) {
+        ASSERT_TRUE(input->seek_subimage(static_cast<int>(part), 0));
+        EXPECT_EQ(input->spec().get_string_attribute("oiio:subimagename"), expected[part].first);
+        EXPECT_EQ(input->spec().channelnames, expected[part].second);
+    }
+    EXPECT_FALSE(input->seek_subimage(static_cast<int>(expected.size()), 0));
+}
+
+TEST(ImageFile, PartsThatDoNotFitAreRefused) {
+    const TemporaryFolder folder;
+    const std::vector<float> values(4);
+    const auto write = [&](const char* const channel) {
+        std::vector<OIIO::ImageSpec> parts(2, OIIO::ImageSpec(2, 1, 1, OIIO::TypeFloat));
+        parts[0].channelnames = {"Y"};
+        parts[1].channelnames = {channel};
+        parts[0].attribute("oiio:subimagename", "first");
+        parts[1].attribute("oiio:subimagename", "second");
+        const std::string path = folder / "a.exr";
+        const auto output = OIIO::ImageOutput::create("exr");
+        EXPECT_TRUE(output->open(path, 2, parts.data()));
+        EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
+        EXPECT_TRUE(output->open(path, parts[1], OIIO::ImageOutput::AppendSubimage));
+        EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values.data()) && output->close());
+        return path;
+    };
+    EXPECT_EQ(readImage(write("Z")).channels, (std::vector<std::string>{"Y", "Z"}));
+    expectError(ErrorKind::inputRefused, "several of its parts have a channel Y",
+                [&] { readImage(write("Y")); });
+
+    const std::string pages = folder / "a.tif";
+    const auto output = OIIO::ImageOutput::create("tiff");
+    EXPECT_TRUE(output->open(pages, OIIO::ImageSpec(2, 1, 1, OIIO::TypeFloat)));
+    EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));
+    EXPECT_TRUE(
+        output->open(pages, OIIO::ImageSpec(3, 1, 1, OIIO::TypeFloat), OIIO::ImageOutput::AppendSubimage));
+    EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values.data()) && output->close());
+    expectError(ErrorKind::inputRefused, "several parts of different sizes", [&] { readImage(pages); });
 }
 
 TEST(ImageFile, ExrIsZippedFloat) {
@@ -108,8 +208,12 @@ TEST(ImageFile, ExrIsZippedFloat) {
     writeImage(everyChannel(), folder / "a.exr");
     const auto input = OIIO::ImageInput::open((folder / "a.exr").string());
     ASSERT_TRUE(input);
-    EXPECT_EQ(input->spec().format, OIIO::TypeFloat);
-    EXPECT_TRUE(input->spec().channelformats.empty());
+    for (int i = 0; i < input->spec().nchannels; ++i) {
+        const std::string& name = input->spec().channelnames[static_cast<std::size_t>(i)];
+        EXPECT_EQ(input->spec().channelformat(i),
+                  name.starts_with("id.") || name == "samples" ? OIIO::TypeUInt32 : OIIO::TypeFloat)
+            << name;
+    }
     EXPECT_EQ(input->spec().get_string_attribute("compression"), "zip");
 }
 
@@ -171,10 +275,11 @@ TEST(ImageFile, PngNeedsColours) {
 
 TEST(ImageFile, OnlyKnownEndings) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.jpg", "a", "exr", ".exr", "a.exr.bak"}) {
+    for (const char* name : {"a.gif", "a", "exr", ".exr", "a.exr.bak"}) {
         const std::string line =
             lineOfError(ErrorKind::invalidArgument, [&] { writeImage(Image(1, 1, {"R"}), folder / name); });
-        EXPECT_EQ(line, (folder / name).string() + ": a picture is written as .exr or .png");
+        EXPECT_EQ(line,
+                  (folder / name).string() + ": a picture is written as .exr, .png, .jpg, .webp or .tif");
         EXPECT_EQ(line, lineOfError(ErrorKind::invalidArgument, [&] { checkWritable(folder / name); }));
     }
     writeImage(Image(1, 1, {"R"}), folder / "a.EXR");

@@ -25,8 +25,12 @@ PathSettings BothSides::settings(const PathWork& work) const {
     return settings;
 }
 
+FilmRequest BothSides::request(const PathWork& work) const {
+    return {work.filmParts, made.scene.triangleMaterial};
+}
+
 FilmData BothSides::filmOnCpu(const PathWork& work) const {
-    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples, work.filmParts);
+    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples, request(work));
 }
 
 render::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
@@ -38,7 +42,7 @@ render::DeviceRender BothSides::onDevice(const std::string& traversal, const Pat
             : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
     const render::ShadingBuffers shadingBuffers(device, shading);
     return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settings(work), camera,
-                                       work.samples, work.filmParts);
+                                       work.samples, request(work));
 }
 
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {

@@ -30,6 +30,7 @@ class BothSides {
 
   private:
     PathSettings settings(const PathWork& work) const;
+    FilmRequest request(const PathWork& work) const; // groups are materials
 
     PathScene made;
     AccelerationStructure structure;

@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <iostream>
+#include <map>
 
 namespace metamarch::tests {
 namespace {
@@ -68,6 +70,44 @@ TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     const render::DeviceRender whole = sides.onDevice(kDefaultTraversal, many);
     EXPECT_GE(whole.submissions, 4u);
     expectSameFilm(whole.film.pixels, sides.onCpu(many));
+}
+
+// Light by scatterings adds up to the radiance, and first hits to the samples that hit something.
+TEST_F(PathGpuWork, partsOfTheFilmAreTheSame) {
+    const BothSides sides(gpuPathScenes().front().make(), {28, 20});
+    const PathWork all{.samples = 21, .filmParts = kFilmLight | kFilmHits};
+    const FilmData film = sides.onDevice(kDefaultTraversal, all).film;
+    const FilmData expected = sides.filmOnCpu(all);
+    expectSameFilm(film.pixels, expected.pixels);
+    expectSameFilm(film.pixels, sides.onCpu({.samples = 21})); // to ask for parts changes nothing else
+    const auto hitsOf = [](const FilmData& of, const std::size_t pixel) {
+        std::map<std::uint32_t, std::uint32_t> samples;
+        for (const HitCount& hit : of.hits[pixel]) {
+            samples[hit.group] += hit.samples;
+        }
+        return samples;
+    };
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+        const LightParts& light = film.light[i];
+        ASSERT_EQ(std::memcmp(&light, &expected.light[i], sizeof(LightParts)), 0) << i;
+        const glm::vec3 whole = light.emission + light.direct + light.indirect;
+        ASSERT_LE(glm::length(whole - film.pixels[i].radiance), 1e-5f * glm::length(whole)) << i;
+        sum += glm::dvec3(light.emission.g, light.direct.g, light.indirect.g);
+        ASSERT_EQ(hitsOf(film, i), hitsOf(expected, i)) << i;
+        float covered = 0.0f;
+        for (const HitCount& hit : film.hits[i]) {
+            covered += static_cast<float>(hit.samples);
+        }
+        ASSERT_EQ(covered, film.pixels[i].covered) << i;
+    }
+    EXPECT_GT(sum.y, 0.0);
+    EXPECT_GT(sum.z, 0.0);
+
+    const FilmData direct = sides.filmOnCpu({.samples = 2, .maxBounces = 0, .filmParts = kFilmLight});
+    for (const LightParts& light : direct.light) {
+        ASSERT_EQ(light.indirect, glm::vec3(0.0f));
+    }
 }
 
 // The picture has more tiles of 8 x 8 pixels than the film on the device, which has 2^14.

@@ -51,7 +51,7 @@ class GrowingFilm : public testing::Test {
 
     std::vector<FilmPixel> atOnce(const Camera& seen, const std::uint32_t samples) const {
         return render::renderPathsOnDevice(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
-                                           settings, seen, samples, 0)
+                                           settings, seen, samples, {})
             .film.pixels;
     }
 

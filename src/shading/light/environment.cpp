@@ -31,7 +31,7 @@ std::array<std::size_t, 3> colorChannels(const Image& image, const std::filesyst
 }
 
 bool isEncoded(const Image& image) {
-    return std::ranges::find(image.attributes, std::pair<std::string, std::string>(
+    return std::ranges::find(image.attributes, std::pair<std::string, ImageAttribute>(
                                                    "oiio:ColorSpace", "sRGB")) != image.attributes.end();
 }
 
