@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/file/output_file.h"
 
+#include "metamarch/file/folder_sync.h"
+
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -164,6 +166,7 @@ void OutputFile::replace() {
         return;
     }
     if (temporary_.renameTo(target_.path)) {
+        syncFolder(folderOf(target_.path));
         return;
     }
     firstErrno_ = errno;

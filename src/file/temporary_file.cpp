@@ -85,6 +85,15 @@ bool TemporaryFile::renameTo(const std::filesystem::path& name) {
     return true;
 }
 
+bool TemporaryFile::renameToFree(const std::filesystem::path& name) {
+    // Some file systems (NFS) do not know the flag.
+    if (renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, name.c_str(), RENAME_NOREPLACE) != 0) {
+        return errno == EINVAL && access(name.c_str(), F_OK) != 0 && renameTo(name);
+    }
+    forget();
+    return true;
+}
+
 void TemporaryFile::remove() {
     if (!path_.empty()) {
         unlink(path_.c_str());

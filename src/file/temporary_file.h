@@ -22,6 +22,9 @@ class TemporaryFile {
     // Gives it this name in place of what had it; false and errno where that cannot be.
     bool renameTo(const std::filesystem::path& name);
 
+    // Gives it this name unless something has it: then false and EEXIST.
+    bool renameToFree(const std::filesystem::path& name);
+
     const std::filesystem::path& path() const { return path_; } // empty: there is none
 
   private:
