@@ -118,6 +118,7 @@ void addSetting(CLI::App& app, Setting& setting) {
             },
             setting.help());
         option->expected(1, isOne ? 1 : CLI::detail::expected_max_vector_size);
+        option->allow_extra_args(!isOne);
         option->type_name(valueName(setting));
     }
     option->required(setting.isRequired());

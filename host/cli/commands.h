@@ -6,6 +6,7 @@
 namespace metamarch::cli {
 
 Command makeRenderCommand();         // a scene file to a picture
+Command makeMergeCommand();          // parts of a picture to the picture
 Command makeViewCommand();           // a scene in a window
 Command makeInfoCommand();           // what a scene is and what tree and table over it cost
 Command makeCompareCommand();        // how far apart two pictures are

@@ -14,7 +14,7 @@ struct Answer {
 };
 
 constexpr Answer kAnswers[] = {
-    {"n samples sample-count samples-per-pixel pixelsamples num-samples render-samples spp-count", "`--spp`"},
+    {"n sample-count samples-per-pixel pixelsamples num-samples render-samples spp-count", "`--spp`"},
     {"width height w h r res resolution resolution-x resolution-y dimensions image-size window-size "
      "film-size "
      "geometry",
@@ -67,7 +67,9 @@ constexpr Answer kAnswers[] = {
     {"half-float float16 fp16", "`--half`"},
     {"film-transparent no-background alpha transparency", "`--transparent`"},
     {"denoise denoiser oidn", "there is no denoiser; more samples (--spp) make less noise"},
-    {"crop cropwindow crop-window border region", "a picture is always whole"},
+    {"cropwindow crop-window border region", "`--crop x0,y0,x1,y1`"},
+    {"timeout max-time render-time", "`--time-limit SECONDS`"},
+    {"save-every write-interval", "`--write-every SECONDS`"},
     {"config preferences settings", "there is no file of settings; options are given each time"},
     {"log log-file", "warnings and errors go to standard error: 2> FILE"},
     {"V version", "`metamarch --version` prints the version"},

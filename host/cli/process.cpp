@@ -4,6 +4,7 @@
 #include "metamarch/cli/command_line.h"
 #include "metamarch/file/temporary_file.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -23,8 +24,14 @@ void openStandardStreams() {
     }
 }
 
-// Ends the program by the signal itself, so that the parent sees it. Process 1 survives that, and exits.
-void endBySignal(const int signal) {
+std::atomic<bool> isWatched = false;
+std::atomic<int> endingSignal = 0;
+std::atomic<bool> hasUserSignal = false;
+static_assert(std::atomic<int>::is_always_lock_free, "signal handlers may use no others");
+
+// The parent sees that the signal ended the program, as it would without a handler. For process 1 the second
+// signal does nothing either.
+[[noreturn]] void endBySignal(const int signal) {
     removeTemporaryFiles();
     std::signal(signal, SIG_DFL);
     sigset_t blocked;
@@ -35,7 +42,16 @@ void endBySignal(const int signal) {
     _exit(128 + signal);
 }
 
-// A signal that the caller has set to be ignored (nohup) stays ignored.
+void endOrRemember(const int signal) {
+    int none = 0;
+    if (!isWatched || !endingSignal.compare_exchange_strong(none, signal)) {
+        endBySignal(signal);
+    }
+}
+
+void rememberUserSignal(int /*signal*/) { hasUserSignal = true; }
+
+// A signal that the caller has the program ignore (nohup) stays ignored.
 void handle(const int signal) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
@@ -43,7 +59,8 @@ void handle(const int signal) {
         return;
     }
     action = {};
-    action.sa_handler = endBySignal;
+    action.sa_handler = endOrRemember;
+    action.sa_flags = SA_RESTART; // what waits goes on: the flag is read between submissions
     sigfillset(&action.sa_mask);
     sigaction(signal, &action, nullptr);
 }
@@ -63,7 +80,24 @@ void initProcess() {
     for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
         handle(signal);
     }
+    struct sigaction user {};
+    user.sa_handler = rememberUserSignal;
+    user.sa_flags = SA_RESTART;
+    sigaction(SIGUSR1, &user, nullptr);
     std::set_terminate(endByException);
 }
+
+SignalWatch::SignalWatch() {
+    endingSignal = 0;
+    isWatched = true;
+}
+
+SignalWatch::~SignalWatch() { isWatched = false; }
+
+int SignalWatch::ending() const { return endingSignal; }
+
+bool SignalWatch::takeUserSignal() { return hasUserSignal.exchange(false); }
+
+void endBy(const int signal) { endBySignal(signal); }
 
 } // namespace metamarch::cli

@@ -26,6 +26,7 @@ constexpr const char* kFooter = "Exit codes:\n"
 Command makeProgram() {
     Command program{"metamarch", "Renders triangle scenes with Vulkan compute shaders.", {}, kFooter, {}, {}};
     program.commands.push_back(makeRenderCommand());
+    program.commands.push_back(makeMergeCommand());
     program.commands.push_back(makeViewCommand());
     program.commands.push_back(makeInfoCommand());
     program.commands.push_back(makeCompareCommand());

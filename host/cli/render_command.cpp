@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "metamarch/cli/render_command.h"
+
+#include "metamarch/cli/checkpoint.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/file_digest.h"
+#include "metamarch/cli/film_facts.h"
 #include "metamarch/cli/output_check.h"
 #include "metamarch/cli/picture_options.h"
-#include "metamarch/cli/progress.h"
+#include "metamarch/cli/process.h"
 #include "metamarch/cli/render_report.h"
+#include "metamarch/cli/render_watch.h"
 #include "metamarch/cli/stage_log.h"
 #include "metamarch/cli/structure_report.h"
 #include "metamarch/cli/threads.h"
@@ -39,19 +44,61 @@ enum class Backend { gpu, cpu };
 
 constexpr std::pair<std::string_view, Backend> kBackends[] = {{"gpu", Backend::gpu}, {"cpu", Backend::cpu}};
 
+constexpr std::pair<std::string_view, ProgressForm> kProgressForms[] = {{"line", ProgressForm::line},
+                                                                        {"json", ProgressForm::json}};
+
 struct RenderOptions : PictureOptions {
     RenderOptions() : PictureOptions(64) {}
 
     std::string outputPath;
+    Backend backend = Backend::gpu;
     std::vector<std::string> aovs; // empty: what the integrator writes where nobody chooses
     float missDepth = std::numeric_limits<float>::infinity();
     PictureStorage storage;
-    Backend backend = Backend::gpu;
+    std::optional<render::SampleRange> samples;
+    render::AdaptiveChoice adaptive;
+    std::optional<PixelRect> crop;
+    ProgressForm progress = ProgressForm::line;
+    std::optional<double> writeEvery; // seconds
+    std::optional<double> timeLimit;  // seconds
+    std::string checkpointPath;
+    std::string resumePath;
     std::string statsPath;
     bool isStamped = false;
     bool quiet = false;
     bool isVerbose = false;
 };
+
+// Sums of samples, which `merge` puts together, in place of a picture.
+bool isPart(const RenderOptions& options) { return lowerCaseEnding(options.outputPath) == ".part"; }
+
+// What does not go together in a render that is stopped, continued or divided.
+void checkRun(const RenderOptions& options) {
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
+    if (options.samples && !isPart(options)) {
+        refuse(
+            "--samples takes a part of the samples, which is no picture: name the output .part, and put the "
+            "parts together with `metamarch merge`");
+    }
+    const bool keepsSums = isPart(options) || !options.checkpointPath.empty() ||
+                           !options.resumePath.empty() || options.timeLimit;
+    if (options.path.integrator == Integrator::primary && keepsSums) {
+        refuse("`--integrator primary` takes one sample: it has no parts, checkpoint or time limit");
+    }
+    if (options.adaptive.isOn() && isPart(options)) {
+        refuse("--noise-threshold looks at all samples of a picture: it renders no .part");
+    }
+    if (options.timeLimit && options.samples) {
+        refuse("--time-limit and --samples exclude each other: a part has all its samples");
+    }
+    if (options.crop && (options.crop->right > options.size.x || options.crop->bottom > options.size.y)) {
+        refuse(fmt::format("--crop reaches beyond the picture of {} x {} pixels", options.size.x,
+                           options.size.y));
+    }
+    if (options.writeEvery && isStandardOutput(options.outputPath)) {
+        refuse("--write-every would write several pictures to standard output");
+    }
+}
 
 void checkArguments(const RenderOptions& options) {
     if (options.backend == Backend::cpu && !(options.device.empty() && options.traversal.empty())) {
@@ -60,6 +107,7 @@ void checkArguments(const RenderOptions& options) {
             "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
             "for the gpu");
     }
+    checkRun(options);
     checkView(options.view, options.path.integrator);
     checkStructure(options.structure);
 }
@@ -67,7 +115,10 @@ void checkArguments(const RenderOptions& options) {
 render::RenderSettings settingsOf(const RenderOptions& options) {
     render::RenderSettings settings;
     settings.path = options.path;
-    settings.samplesPerPixel = options.samplesPerPixel;
+    settings.firstSample = options.samples ? options.samples->first : 0;
+    settings.samplesPerPixel = options.samples ? options.samples->end : options.samplesPerPixel;
+    settings.adaptive = options.adaptive;
+    settings.area = options.crop;
     settings.traversal = options.traversal;
     settings.missDepth = options.missDepth;
     if (!options.aovs.empty()) {
@@ -80,11 +131,20 @@ render::RenderSettings settingsOf(const RenderOptions& options) {
 }
 
 void checkChannels(const RenderOptions& options) {
+    const std::vector<Aov> chosen = settingsOf(options).aovs();
+    if (isPart(options)) {
+        const auto needsScene = [](const Aov& aov) { return aov.isOfSeenPoint || aov.isCryptomatte(); };
+        if (const auto found = std::ranges::find_if(chosen, needsScene); found != chosen.end()) {
+            throw Error(ErrorKind::invalidArgument,
+                        fmt::format("{} follows from the scene, which a .part does not hold", found->name()),
+                        {"aov"});
+        }
+        return;
+    }
     if (pictureFormatOf(options.outputPath, options.storage) != PictureFormat::exr) {
         throw Error(ErrorKind::invalidArgument,
                     fmt::format("{}: only an EXR has further channels", options.outputPath), {"aov"});
     }
-    const std::vector<Aov> chosen = settingsOf(options).aovs();
     const auto staysExact = [](const Aov& aov) { return aov.isCryptomatte() || aov.name() == "P"; };
     if (std::ranges::any_of(chosen, staysExact) && !options.storage.exr.isMultipart &&
         options.storage.exr.compression == ExrCompression::dwaa) {
@@ -93,16 +153,22 @@ void checkChannels(const RenderOptions& options) {
 }
 
 std::vector<NamedFile> outputsOf(const RenderOptions& options) {
-    return {{"--output", options.outputPath}, {"--stats", options.statsPath}};
+    return {{"--output", options.outputPath},
+            {"--stats", options.statsPath},
+            {"--checkpoint", options.checkpointPath}};
 }
 
 // Refuses bad outputs before the long work.
 void checkOutputs(const RenderOptions& options, const SettingList& given) {
-    checkWritable(options.outputPath, options.storage);
+    if (isPart(options)) {
+        const OutputFile probe(options.outputPath);
+    } else {
+        checkWritable(options.outputPath, options.storage);
+    }
     if (!options.aovs.empty()) {
         checkChannels(options);
     }
-    if (options.path.isTransparent &&
+    if (!isPart(options) && options.path.isTransparent &&
         pictureFormatOf(options.outputPath, options.storage) == PictureFormat::jpeg) {
         throw Error(ErrorKind::invalidArgument,
                     fmt::format("{}: a JPEG cannot be transparent", options.outputPath), {"transparent"});
@@ -110,24 +176,14 @@ void checkOutputs(const RenderOptions& options, const SettingList& given) {
     if (!options.statsPath.empty()) {
         const OutputFile probe(options.statsPath);
     }
+    const std::vector<NamedFile> outputs = outputsOf(options);
     const NamedFile inputs[] = {{"SCENE", options.scenePath},
                                 {"--env", given.at("env").text()},
                                 {"--partition", given.at("partition").text()}};
-    checkOutputsDiffer(outputsOf(options), inputs);
-}
-
-// Renders on the device, or on the CPU if there is no `onDevice`.
-render::RenderResult renderWithProgress(const render::PreparedScene& scene,
-                                        const std::optional<render::DeviceScene>& onDevice,
-                                        const Camera& camera, const render::RenderSettings& settings,
-                                        const bool quiet) {
-    Progress bar(onDevice ? "compiling" : "rendering", !quiet);
-    const auto show = [&](const double part) {
-        bar.show("rendering", part);
-        return true;
-    };
-    return onDevice ? render::renderPicture(*onDevice, camera, settings, show)
-                    : render::renderPicture(scene, camera, settings, show);
+    checkOutputsDiffer(outputs, inputs);
+    // A checkpoint that is continued is also resumed.
+    const NamedFile resumed[] = {{"--resume", options.resumePath}};
+    checkOutputsDiffer(std::span(outputs).first(2), resumed);
 }
 
 // Writes `report`, which says what the rendering took, with a description of the scene.
@@ -151,141 +207,390 @@ bool printsResults(const RenderOptions& options) {
            (!options.statsPath.empty() && isStandardOutput(options.statsPath));
 }
 
-// Returns the options that change the picture. The preset is left out, because it stands for other settings.
-std::string changedOptions(const SettingList& given) {
-    constexpr std::string_view kOutputs[] = {"output",  "stats",   "stamp", "quiet",
-                                             "verbose", "threads", "preset"};
-    return given.changedText(kOutputs);
+// One render and what it writes.
+class RenderJob {
+  public:
+    // `options` are what `given` sets.
+    RenderJob(RenderOptions& options, const SettingList& given)
+        : options_(options), given_(given), log_(options.isVerbose) {}
+
+    void run();
+
+  private:
+    void openDevice();
+    void openCheckpoint();
+    void loadScene();
+    void render();
+    void write(const render::RenderResult& result);
+    void writeWhileRunning(const render::RenderResult& result);
+    bool isComplete(const render::RenderResult& result) const;
+    void writeAtEnd(const render::RenderResult& result);
+    void endEarly(const render::RenderResult& result, int signal);
+    void report(const render::RenderResult& result);
+
+    RenderOptions& options_;
+    const SettingList& given_;
+    StageLog log_;
+    render::RenderSettings settings_;
+    std::optional<vulkan::Context> context_;
+    std::optional<vulkan::Device> device_;
+    std::optional<Checkpoint> checkpoint_;
+    std::optional<render::FilmFile> resumed_;
+    std::shared_ptr<const Scene> scene_;
+    SceneCamera sceneCamera_;
+    Camera camera_{};
+    std::optional<render::PreparedScene> prepared_;
+    std::optional<render::DeviceScene> onDevice_;
+    render::FilmFile sums_; // of parts and checkpoints, without runs
+    std::string sceneSha1_; // of the scene's file; empty for standard input
+    double importSeconds_ = 0.0;
+    double buildSeconds_ = 0.0;
+};
+
+// Before the long work: there may be no device that fits.
+void RenderJob::openDevice() {
+    if (options_.backend == Backend::gpu) {
+        context_.emplace();
+        device_.emplace(*context_, options_.device);
+        render::requireTraversal(device_->report(), settings_.traversal);
+        log_.end(fmt::format("device {}, {} {}", device_->name(), device_->report().driver,
+                             device_->report().driverInfo));
+    }
 }
 
-void runRender(const RenderOptions& options, const SettingList& given) {
-    checkArguments(options);
-    const glm::uvec2 size = options.size;
-    checkOutputs(options, given);
-    const Threads threads(options.threads);
-    StageLog log(options.isVerbose);
-    const render::RenderSettings settings = settingsOf(options);
-
-    // Chosen before the long work, because there may be no device that fits.
-    std::optional<vulkan::Context> context;
-    std::optional<vulkan::Device> device;
-    if (options.backend == Backend::gpu) {
-        context.emplace();
-        device.emplace(*context, options.device);
-        render::requireTraversal(device->report(), settings.traversal);
-        log.end(fmt::format("device {}, {} {}", device->name(), device->report().driver,
-                            device->report().driverInfo));
+void RenderJob::openCheckpoint() {
+    if (!options_.checkpointPath.empty()) {
+        checkpoint_.emplace(options_.checkpointPath, options_.resumePath);
     }
+    if (!options_.resumePath.empty()) {
+        resumed_ = render::readFilmFile(options_.resumePath);
+    }
+}
 
+void RenderJob::loadScene() {
     const Stopwatch import;
-    const auto scene = std::make_shared<const Scene>(loadScene(options.scenePath, options.import));
-    const double importSeconds = import.seconds();
-    printWarnings(scene->warnings);
-    checkOutputsDiffer(outputsOf(options), companionsOf(*scene));
-    log.end(fmt::format("scene of {} triangles, {} materials, {} textures", scene->triangles.size(),
-                        scene->materials.size(), scene->textures.size()));
-    const SceneCamera sceneCamera =
-        chooseCamera(*scene, options.view, static_cast<float>(size.x) / static_cast<float>(size.y));
-    const Camera camera = makeCamera(sceneCamera, size.x, size.y, options.view.lens);
+    scene_ = std::make_shared<const Scene>(metamarch::loadScene(options_.scenePath, options_.import));
+    importSeconds_ = import.seconds();
+    sceneSha1_ = isStandardInput(options_.scenePath) ? "" : sha1Of(options_.scenePath);
+    printWarnings(scene_->warnings);
+    checkOutputsDiffer(outputsOf(options_), companionsOf(*scene_));
+    log_.end(fmt::format("scene of {} triangles, {} materials, {} textures", scene_->triangles.size(),
+                         scene_->materials.size(), scene_->textures.size()));
+    const glm::vec2 size(options_.size);
+    sceneCamera_ = chooseCamera(*scene_, options_.view, size.x / size.y);
+    camera_ = makeCamera(sceneCamera_, options_.size.x, options_.size.y, options_.view.lens);
     const Stopwatch build;
-    render::PreparedScene prepared(scene, options.structure);
-    const double buildSeconds = build.seconds();
-    printWarnings(render::warningsOf(*prepared.structure));
-    log.end("tree and table");
-    if (!settings.isPrimary()) {
-        prepared.light(options.scenePath, settings.path, options.light);
-        printWarnings(prepared.lightWarnings);
-        log.end("light and materials");
+    prepared_.emplace(scene_, options_.structure);
+    buildSeconds_ = build.seconds();
+    printWarnings(render::warningsOf(*prepared_->structure));
+    log_.end("tree and table");
+    if (!settings_.isPrimary()) {
+        prepared_->light(options_.scenePath, settings_.path, options_.light);
+        printWarnings(prepared_->lightWarnings);
+        log_.end("light and materials");
     }
-    std::optional<render::DeviceScene> onDevice;
-    if (device) {
-        onDevice.emplace(*device, prepared);
-        log.end("scene on the device");
+    if (device_) {
+        onDevice_.emplace(*device_, *prepared_);
+        log_.end("scene on the device");
     }
+}
 
-    const render::RenderResult result =
-        renderWithProgress(prepared, onDevice, camera, settings, options.quiet);
-    printWarnings(result.warnings);
-    log.end(onDevice ? fmt::format("picture, of which {:.3f} s until the first result (the driver compiles)",
-                                   result.seconds.firstSubmission)
-                     : "picture");
+void RenderJob::write(const render::RenderResult& result) {
+    if (isPart(options_)) {
+        writeFilmFile(sums_, {&result.sums, 1}, options_.outputPath);
+        return;
+    }
+    // The header says what the picture has: it is that of a command for as many samples.
+    const std::uint32_t wanted = std::exchange(options_.samplesPerPixel, result.settings.samplesPerPixel);
+    const std::string changed = given_.changedText(settingsOfTheRun());
+    options_.samplesPerPixel = wanted;
     render::writePicture(result,
                          {.software = programVersion(),
-                          .sceneFile = options.scenePath,
-                          .camera = sceneCamera,
-                          .options = changedOptions(given),
-                          .isStamped = options.isStamped,
-                          .sceneSha1 = isStandardInput(options.scenePath) ? "" : sha1Of(options.scenePath),
-                          .lens = options.view.lens},
-                         options.outputPath, options.tone, options.storage);
-    log.end(fmt::format("{} written", options.outputPath));
-    if (!options.statsPath.empty()) {
-        nlohmann::ordered_json report = reportRender(result);
-        report["seconds"]["import"] = importSeconds;
-        report["seconds"]["build"] = buildSeconds;
-        report["options"] = changedOptions(given);
-        writeStats(report, prepared, onDevice, options.statsPath);
+                          .sceneFile = options_.scenePath,
+                          .camera = sceneCamera_,
+                          .options = changed,
+                          .isStamped = options_.isStamped,
+                          .sceneSha1 = sceneSha1_,
+                          .lens = options_.view.lens},
+                         options_.outputPath, options_.tone, options_.storage);
+}
+
+// A stream takes one picture, the last.
+void RenderJob::writeWhileRunning(const render::RenderResult& result) {
+    if (!OutputTarget(options_.outputPath).isStream()) {
+        write(result);
     }
-    if (!options.quiet && !printsResults(options)) {
+}
+
+bool RenderJob::isComplete(const render::RenderResult& result) const {
+    return !result.isCancelled && result.settings.samplesPerPixel == settings_.samplesPerPixel;
+}
+
+// If the picture cannot be written, its samples are in the checkpoint.
+void RenderJob::writeAtEnd(const render::RenderResult& result) {
+    const bool hasSums = checkpoint_ && !result.sums.spans.empty();
+    if (hasSums && !isComplete(result)) {
+        checkpoint_->write(sums_, result.sums);
+    }
+    try {
+        write(result);
+    } catch (const Error&) {
+        if (hasSums && isComplete(result)) {
+            checkpoint_->write(sums_, result.sums);
+        }
+        throw;
+    }
+    log_.end(fmt::format("{} written", options_.outputPath));
+    if (checkpoint_ && isComplete(result)) {
+        checkpoint_->remove();
+    }
+}
+
+void RenderJob::endEarly(const render::RenderResult& result, const int signal) {
+    const std::string& sums = checkpoint_        ? options_.checkpointPath
+                              : isPart(options_) ? options_.outputPath
+                                                 : "";
+    // In the middle of a pass some pixels have more samples than others.
+    const std::uint32_t fewest = result.settings.samplesPerPixel;
+    const std::uint32_t most = result.settings.firstSample + result.film.samples();
+    const std::string samples =
+        most > fewest ? fmt::format("{} to {}", fewest, most) : fmt::format("{}", fewest);
+    printError(fmt::format("metamarch: ended by signal {}: {} has {} of {} samples a pixel; {}\n", signal,
+                           options_.outputPath, samples, settings_.samplesPerPixel,
+                           sums.empty() ? "with --checkpoint FILE a render can go on"
+                                        : fmt::format("go on with --resume {}", sums)));
+    endBy(signal);
+}
+
+void RenderJob::report(const render::RenderResult& result) {
+    if (!options_.statsPath.empty()) {
+        nlohmann::ordered_json stats = reportRender(result);
+        stats["seconds"]["import"] = importSeconds_;
+        stats["seconds"]["build"] = buildSeconds_;
+        stats["options"] = given_.changedText(settingsOfTheRun());
+        writeStats(stats, *prepared_, onDevice_, options_.statsPath);
+    }
+    if (!options_.quiet && !printsResults(options_)) {
         printSummary(fmt::format("{}: {} x {}, {} triangles, {} on {} ({}), {:.2f} s, {}\n",
-                                 options.outputPath, size.x, size.y, scene->triangles.size(),
-                                 result.traversal, result.device, result.driver, result.seconds.render,
-                                 summaryOf(result)));
+                                 options_.outputPath, result.area.width(), result.area.height(),
+                                 scene_->triangles.size(), result.traversal, result.device, result.driver,
+                                 result.seconds.render, summaryOf(result)));
     }
+}
+
+void RenderJob::render() {
+    const PixelRect area = settings_.area.value_or(PixelRect{0, 0, options_.size.x, options_.size.y});
+    render::RenderControl control;
+    if (checkpoint_ || resumed_ || isPart(options_)) {
+        const render::RenderPlace place = onDevice_ ? placeOn(*onDevice_, settings_) : render::placeOnCpu();
+        sums_ = {.facts = factsOf(*prepared_, sceneCamera_, place, given_),
+                 .sceneFile = options_.scenePath,
+                 .width = options_.size.x,
+                 .height = options_.size.y,
+                 .runs = {}};
+        sums_.facts.emplace_back("sceneSha1", sceneSha1_);
+    }
+    if (resumed_) {
+        control.start = takeRun(std::move(*resumed_), options_.resumePath, sums_, area,
+                                {settings_.firstSample, settings_.samplesPerPixel});
+    }
+    if (checkpoint_) {
+        checkpoint_->write(sums_, control.start.spans.empty() ? render::FilmRun{area, {}} : control.start);
+    }
+    control.keepsSums = checkpoint_ || isPart(options_);
+    control.timeLimit = options_.timeLimit.value_or(control.timeLimit);
+
+    RenderWatch::WriteCheckpoint writeCheckpoint;
+    if (checkpoint_) {
+        writeCheckpoint = [this](const render::FilmRun& run) { checkpoint_->write(sums_, run); };
+    }
+    std::optional<RenderWatch> watch(
+        std::in_place,
+        RenderWatch::Choice{.progress = options_.quiet ? ProgressForm::none : options_.progress,
+                            .writeEvery = options_.writeEvery,
+                            .isOnDevice = onDevice_.has_value()},
+        [this](const render::RenderResult& result) { writeWhileRunning(result); }, writeCheckpoint);
+    watch->follow(control);
+    const render::RenderResult result = onDevice_ ? renderPicture(*onDevice_, camera_, settings_, control)
+                                                  : renderPicture(*prepared_, camera_, settings_, control);
+    watch->endProgress();
+    printWarnings(result.warnings);
+    log_.end(onDevice_
+                 ? fmt::format("picture, of which {:.3f} s until the first result (the driver compiles)",
+                               result.seconds.firstSubmission)
+                 : "picture");
+    if (!result.failure || result.film.samples() > 0) {
+        writeAtEnd(result);
+    }
+    if (result.failure) {
+        std::rethrow_exception(result.failure);
+    }
+    if (watch->signal() != 0) {
+        endEarly(result, watch->signal());
+    }
+    report(result);
+}
+
+void RenderJob::run() {
+    checkArguments(options_);
+    checkOutputs(options_, given_);
+    const Threads threads(options_.threads);
+    settings_ = settingsOf(options_);
+    openCheckpoint();
+    openDevice();
+    loadScene();
+    render();
+}
+
+// "A:B", which begins no later than it ends.
+render::SampleRange parseSamples(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
+    if (colon == std::string::npos) {
+        std::string hint;
+        try {
+            hint = fmt::format("; did you mean `--spp {}`?", parseCount(text, 1, kMostSamples));
+        } catch (const Error&) {
+        }
+        refuse("give A:B, the samples from number A to number B - 1" + hint);
+    }
+    const render::SampleRange range{parseCount(text.substr(0, colon), 0, kMostSamples),
+                                    parseCount(text.substr(colon + 1), 0, kMostSamples)};
+    if (range.first >= range.end) {
+        refuse("give A:B with A less than B");
+    }
+    return range;
+}
+
+void declareRun(SettingList& settings, RenderOptions& options) {
+    settings.beginGroup("Long renders, and renders in parts");
+    settings.choice("progress", options.progress, kProgressForms,
+                    "line: on a terminal; json: one line of JSON a second on standard error");
+    const NumberRange seconds{1e-3, 1e9, "seconds from 0.001 to 1e9"};
+    settings
+        .number("write-every", options.writeEvery, seconds,
+                "Also write the picture as it is, and the checkpoint, so often (or on the signal USR1)")
+        .withValueName("SECONDS");
+    settings
+        .number("time-limit", options.timeLimit, seconds,
+                "End with the pass over the picture that reaches this time")
+        .withValueName("SECONDS");
+    settings
+        .text("checkpoint", options.checkpointPath,
+              "Keep the samples taken here, each minute and when the render is ended early")
+        .withValueName("FILE");
+    settings.text("resume", options.resumePath, "Go on from this checkpoint or part").withValueName("FILE");
+    settings
+        .add("samples", Setting::Kind::value,
+             {[&options](const std::string& text) { options.samples = parseSamples(text); },
+              [&options] {
+                  return options.samples ? fmt::format("{}:{}", options.samples->first, options.samples->end)
+                                         : "";
+              }},
+             "Take the samples from A to B - 1 of each pixel; the output is a .part")
+        .withValueName("A:B")
+        .excludes({"spp"});
+    settings
+        .add("crop", Setting::Kind::value,
+             {[&options](const std::string& text) { options.crop = parseRect(text); },
+              [&options] {
+                  return options.crop ? fmt::format("{},{},{},{}", options.crop->left, options.crop->top,
+                                                    options.crop->right, options.crop->bottom)
+                                      : "";
+              }},
+             "Render the pixels from (x0,y0) up to, and without, (x1,y1)")
+        .withValueName("x0,y0,x1,y1");
+}
+
+void declareAll(SettingList& settings, RenderOptions& options) {
+    settings.positional("SCENE", options.scenePath,
+                        "glTF, GLB, OBJ, PLY, OFF or STL file; -: a GLB from standard input");
+    settings
+        .text("output", options.outputPath,
+              "Picture to write: .exr (all channels), .png, .jpg, .webp or .tif; .part: sums for `merge`; -: "
+              "to "
+              "standard output, as --format says (exr)")
+        .withShortName("o")
+        .withValueName("FILE")
+        .required();
+    settings.size("size", options.size, "Width and height in pixels");
+    settings.text("stats", options.statsPath, "Write what it took as JSON; -: to standard output")
+        .withValueName("FILE.json");
+    settings.flag("stamp", options.isStamped,
+                  "Say in an EXR's header when it was made and how long that took");
+    settings.flag("quiet", options.quiet, "Print nothing but errors and warnings");
+    settings
+        .flag("verbose", options.isVerbose,
+              "Also print the device, and each stage with its seconds, on standard error")
+        .excludes({"quiet"});
+    declareChannels(settings, options.aovs, options.missDepth);
+    settings.flag(
+        "transparent", options.path.isTransparent,
+        "The camera does not see the background or the environment, which light the scene all the same");
+    declareStorage(settings, options.storage);
+    declareCamera(settings, options.view);
+    declareTone(settings, options.tone);
+    settings.beginGroup("Device");
+    settings.choice("backend", options.backend, kBackends,
+                    "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
+    declareDevice(settings, options.device);
+    declareThreads(settings, options.threads);
+    declareTraversal(settings, "traversal", options.traversal,
+                     fmt::format("How rays find triangles (default {}, or what marches --table): {}",
+                                 traversals().front(), fmt::join(traversals(), " ")));
+    declareIntegrator(settings, options.path, std::size(kIntegrators));
+    declarePath(settings, options.path, options.samplesPerPixel);
+    settings
+        .number("noise-threshold", options.adaptive.threshold, {0.0, 1e6, "an error of at least 0"},
+                "Stop pixels once the standard error of their luminance, divided by its square root, is "
+                "less around them; 0: never")
+        .withValueName("E");
+    settings
+        .count("min-spp", options.adaptive.minSamples, 1, kMostSamples,
+               "Samples a pixel before the first is stopped")
+        .needs({"noise-threshold"});
+    declareRun(settings, options);
+    declareLight(settings, options.light);
+    declareImport(settings, options.import);
+    declareStructure(settings, options.structure);
 }
 
 } // namespace
 
+void writeMerged(const render::FilmFile& file, const std::string& name, FilmData film,
+                 const std::uint32_t samples, const std::string& output) {
+    RenderOptions options;
+    SettingList settings;
+    declareAll(settings, options);
+    applyFacts(file.facts, name, settings);
+    chooseTone(settings, options.path.integrator, options.tone);
+    options.samplesPerPixel = samples;
+    render::RenderResult result;
+    static_cast<render::RenderPlace&>(result) = placeIn(file.facts);
+    result.settings = settingsOf(options);
+    result.size = {file.width, file.height};
+    result.area = {0, 0, file.width, file.height};
+    result.film = std::move(film);
+    render::writePicture(result,
+                         {.software = render::factNamed(file.facts, "version"),
+                          .sceneFile = file.sceneFile,
+                          .camera = cameraIn(file.facts, name),
+                          .options = settings.changedText(settingsOfTheRun()),
+                          .sceneSha1 = render::factNamed(file.facts, "sceneSha1"),
+                          .lens = options.view.lens},
+                         output, options.tone, options.storage);
+}
+
 Command makeRenderCommand() {
     const auto options = std::make_shared<RenderOptions>();
     Command command{"render", "Render a scene to a picture", {}, {}, {}, {}};
-    SettingList& settings = command.settings;
-    settings.positional("SCENE", options->scenePath,
-                        "glTF, GLB, OBJ, PLY, OFF or STL file; -: a GLB from standard input");
-    settings
-        .text("output", options->outputPath,
-              "Picture to write: .exr (all channels), .png, .jpg, .webp or .tif; -: to standard output, as "
-              "--format "
-              "says (exr)")
-        .withShortName("o")
-        .withValueName("FILE")
-        .required();
-    settings.size("size", options->size, "Width and height in pixels");
-    settings.text("stats", options->statsPath, "Write what it took as JSON; -: to standard output")
-        .withValueName("FILE.json");
-    settings.flag("stamp", options->isStamped,
-                  "Say in an EXR's header when it was made and how long that took");
-    settings.flag("quiet", options->quiet, "Print nothing but errors and warnings");
-    settings
-        .flag("verbose", options->isVerbose,
-              "Also print the device, and each stage with its seconds, on standard error")
-        .excludes({"quiet"});
-    declareChannels(settings, options->aovs, options->missDepth);
-    settings.flag(
-        "transparent", options->path.isTransparent,
-        "The camera does not see the background or the environment, which light the scene all the same");
-    declareStorage(settings, options->storage);
-    declareCamera(settings, options->view);
-    declareTone(settings, options->tone);
-    settings.beginGroup("Device");
-    settings.choice("backend", options->backend, kBackends,
-                    "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
-    declareDevice(settings, options->device);
-    declareThreads(settings, options->threads);
-    declareTraversal(settings, "traversal", options->traversal,
-                     fmt::format("How rays find triangles (default {}, or what marches --table): {}",
-                                 traversals().front(), fmt::join(traversals(), " ")));
-    declareIntegrator(settings, options->path, std::size(kIntegrators));
-    declarePath(settings, options->path, options->samplesPerPixel);
-    declareLight(settings, options->light);
-    declareImport(settings, options->import);
-    declareStructure(settings, options->structure);
+    declareAll(command.settings, *options);
     command.footer =
         "Pixel (0,0) is top left.\n\n"
         "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16";
     command.run = [options](const SettingList& given) {
         chooseTone(given, options->path.integrator, options->tone);
-        runRender(*options, given);
+        RenderJob(*options, given).run();
     };
     return command;
 }

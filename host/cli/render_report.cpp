@@ -3,18 +3,21 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace metamarch::cli {
 namespace {
 
 struct Rates {
     explicit Rates(const render::RenderResult& result) {
         const render::RenderCounts& counts = result.counts;
-        const double pixels = static_cast<double>(result.size.x) * result.size.y;
         const double rays = counts.rays + counts.shadowRays;
-        stepsPerRay = counts.steps / rays;
-        testsPerRay = counts.tests / rays;
-        mraysPerSecond = rays / result.seconds.render * 1e-6;
-        msamplesPerSecond = pixels * result.settings.samplesPerPixel / result.seconds.render * 1e-6;
+        stepsPerRay = rays > 0.0 ? counts.steps / rays : 0.0;
+        testsPerRay = rays > 0.0 ? counts.tests / rays : 0.0;
+        // The counts are of all samples of the film, the time is of those that this render took.
+        const double part = counts.samples > 0.0 ? result.samplesTaken / counts.samples : 0.0;
+        mraysPerSecond = part * rays / result.seconds.render * 1e-6;
+        msamplesPerSecond = result.samplesTaken / result.seconds.render * 1e-6;
     }
 
     double stepsPerRay;
@@ -22,6 +25,10 @@ struct Rates {
     double mraysPerSecond;
     double msamplesPerSecond;
 };
+
+double meanSamples(const render::RenderResult& result) {
+    return result.counts.samples / static_cast<double>(result.area.pixelCount());
+}
 
 } // namespace
 
@@ -48,6 +55,7 @@ nlohmann::ordered_json reportRender(const render::RenderResult& result) {
             report["submissions"] = result.submissions;
         }
         report["samplesPerPixel"] = result.settings.samplesPerPixel;
+        report["meanSamplesPerPixel"] = meanSamples(result);
         report["rejectedSamples"] = result.counts.rejected;
         report["rays"] = result.counts.rays;
         report["shadowRays"] = result.counts.shadowRays;
@@ -63,8 +71,8 @@ std::string summaryOf(const render::RenderResult& result) {
     const Rates rates(result);
     return result.settings.isPrimary()
                ? fmt::format("{:.2f} steps and {:.2f} tests per ray", rates.stepsPerRay, rates.testsPerRay)
-               : fmt::format("{} samples a pixel, {:.2f} Msamples/s, {:.2f} Mrays/s",
-                             result.settings.samplesPerPixel, rates.msamplesPerSecond, rates.mraysPerSecond);
+               : fmt::format("{:.4g} samples a pixel, {:.2f} Msamples/s, {:.2f} Mrays/s", meanSamples(result),
+                             rates.msamplesPerSecond, rates.mraysPerSecond);
 }
 
 } // namespace metamarch::cli

@@ -7,10 +7,14 @@
 #include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <limits>
 
 namespace metamarch::render {
 namespace {
+
+constexpr std::size_t kOutside = std::numeric_limits<std::size_t>::max();
 
 bool has(const std::uint32_t parts, const std::uint32_t part) { return (parts & part) != 0; }
 
@@ -45,9 +49,11 @@ std::vector<T> readTiles(const vulkan::Device& device, const vulkan::Buffer& buf
 
 } // namespace
 
-Tiling::Tiling(const Camera& camera)
-    : perRow((camera.width + kTileSide - 1) / kTileSide),
-      count(perRow * ((camera.height + kTileSide - 1) / kTileSide)) {}
+Tiling::Tiling(const Camera& camera) : Tiling(PixelRect{0, 0, camera.width, camera.height}) {}
+
+Tiling::Tiling(const PixelRect& area)
+    : perRow((area.width() + kTileSide - 1) / kTileSide),
+      count(perRow * ((area.height() + kTileSide - 1) / kTileSide)) {}
 
 PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                        const ShadingBuffers& shading, const std::string& usedTraversal,
@@ -83,14 +89,26 @@ PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& sce
 }
 
 void PathTracer::start(const Camera& camera, const PathSettings& settings, const TileRange wanted) {
-    input = {camera, settings};
+    start(camera, settings, {0, 0, camera.width, camera.height}, wanted, 0);
+}
+
+void PathTracer::start(const Camera& camera, const PathSettings& settings, const PixelRect& wantedArea,
+                       const TileRange wanted, const std::uint32_t firstSample) {
+    area = wantedArea;
+    input = {camera, settings, area.left, area.top, area.width(), area.height()};
     vulkan::write(device, inputBuffer, 0, std::as_bytes(std::span(&input, 1)));
     tiles = wanted;
-    tilesPerRow = Tiling(camera).perRow;
-    taken = 0;
-    passEnd = 0;
+    tilesPerRow = Tiling(area).perRow;
+    filmFirst = firstSample;
+    blockFirst = firstSample;
+    hasSums = false;
+    taken = firstSample;
+    passEnd = firstSample;
     next = tiles.end;
     unfinished = {};
+    if (firstSample > 0) { // with sample 0 the kernel does it
+        submission.run([&](vulkan::Commands& commands) { commands.fill(totalBuffer, 0); });
+    }
 }
 
 double PathTracer::meanSamples() const {
@@ -101,6 +119,10 @@ double PathTracer::meanSamples() const {
 TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t samplesAtOnce,
                               const double targetSeconds) {
     if (passEnd == taken) {
+        if (taken > blockFirst && taken % kBlockSamples == 0) {
+            blockFirst = taken;
+            hasSums = false;
+        }
         const std::uint32_t blockEnd = (taken / kBlockSamples + 1) * kBlockSamples;
         passEnd = std::min({taken + samplesAtOnce, taken + fitting, blockEnd, endSample});
         next = tiles.first;
@@ -110,10 +132,13 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     const std::uint32_t count = std::clamp(work.units() / samples, 1u, most);
     const TileRange part = unfinished.count() > 0 ? unfinished : TileRange{next, next + count};
     const double before = sums.deviceSeconds;
+    const double raysBefore = sums.rays;
     const bool isDone = dispatch(part, passEnd);
     // The last part of a pass is smaller than work.units(); scale its time up to that size.
     const double asked = static_cast<double>(work.units()) / (part.count() * samples);
-    work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
+    if (sums.rays > raysBefore) { // with uploaded sums, tiles may have all their samples
+        work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
+    }
     if (!isDone) {
         // Take fewer samples at a time from now on. The next call repeats this part for the missing ones.
         fitting = std::max(fitting / 2, 1u);
@@ -130,15 +155,14 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
 
 // Returns true if every pixel of the tiles has all its samples.
 bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
-    const std::uint32_t firstSample = taken / kBlockSamples * kBlockSamples;
-    const bool isFresh = taken == firstSample && unfinished.count() == 0;
+    const bool isFresh = taken == blockFirst && unfinished.count() == 0 && !hasSums;
     const double seconds = submission.run([&](vulkan::Commands& commands) {
         commands.fill(status, 0);
-        if (isFresh && firstSample > 0) {
+        if (isFresh && blockFirst > filmFirst) {
             commands.dispatch(addBlock, {part.count(), 1, 1}, AddBlockPush{part.first - tiles.first});
         }
         commands.dispatch(pipeline, {part.count(), 1, 1},
-                          PathPush{part.first, tilesPerRow, firstSample, endSample - firstSample, tiles.first,
+                          PathPush{part.first, tilesPerRow, blockFirst, endSample - blockFirst, tiles.first,
                                    isFresh ? 1u : 0u});
         commands.copy(status, 0, statusReadback, 0, sizeof(PathStatus));
     });
@@ -156,50 +180,124 @@ bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
 }
 
 TileRange PathTracer::begunTiles() const {
-    return {tiles.first, taken > 0 ? tiles.end : passEnd > 0 ? next : tiles.first};
+    const bool isBegun = taken > filmFirst || hasSums;
+    return {tiles.first, isBegun ? tiles.end : passEnd > filmFirst ? next : tiles.first};
 }
 
-std::optional<std::size_t> PathTracer::indexOf(const std::uint32_t i) const {
+// The arrays of the begun tiles, as they lie on the device.
+struct PathTracer::TileSums {
+    std::vector<FilmPixel> blocks;
+    std::vector<FilmPixel> totals;
+    std::vector<LightParts> lights; // none without kFilmLight
+    std::vector<LightParts> totalLights;
+
+    // Puts the sums of pixel i into a film. Those of the block alone have no samples before them.
+    void copyTotal(const std::size_t i, FilmData& film, const std::size_t index) const {
+        if (film.pixels.empty()) {
+            return; // nobody wants them
+        }
+        film.pixels[index] = totals[i].samples > 0 ? totals[i] : emptyPixel();
+        if (!film.light.empty()) {
+            film.light[index] = totals[i].samples > 0 ? totalLights[i] : noLight();
+        }
+    }
+    void copyBlock(const std::size_t i, FilmData& film, const std::size_t index) const {
+        film.pixels[index] = blocks[i];
+        if (!film.light.empty()) {
+            film.light[index] = lights[i];
+        }
+    }
+    void copySum(const std::size_t i, FilmData& film, const std::size_t index) const {
+        film.pixels[index] = addPixel(totals[i], blocks[i]);
+        if (!film.light.empty()) {
+            film.light[index] = addPixelLight(totals[i], totalLights[i], lights[i]);
+        }
+    }
+};
+
+PathTracer::TileSums PathTracer::readSums() const {
+    const std::uint32_t begun = begunTiles().count();
+    const std::uint32_t lit = has(parts, kFilmLight) ? begun : 0;
+    return {readTiles<FilmPixel>(device, filmBuffer, begun), readTiles<FilmPixel>(device, totalBuffer, begun),
+            readTiles<LightParts>(device, lightBuffer, lit),
+            readTiles<LightParts>(device, totalLightBuffer, lit)};
+}
+
+// The place in a film of the area of pixel i of the tiles; kOutside for one that is only in the tile.
+std::size_t PathTracer::indexInArea(const std::uint32_t i) const {
     const std::uint32_t tile = tiles.first + i / kTilePixels;
     const std::uint32_t x = tile % tilesPerRow * kTileSide + i % kTileSide;
     const std::uint32_t y = tile / tilesPerRow * kTileSide + i % kTilePixels / kTileSide;
-    if (x >= input.camera.width || y >= input.camera.height) {
-        return std::nullopt;
-    }
-    return std::size_t{y} * input.camera.width + x;
-}
-
-void PathTracer::countHits(const std::span<const std::uint32_t> groups, FilmData& film) const {
-    const std::uint32_t samples = (taken - 1) % kBlockSamples + 1;
-    std::vector<std::uint32_t> triangles(std::size_t{tiles.count()} * kTilePixels * kBlockSamples);
-    vulkan::read(device, hits, 0, std::as_writable_bytes(std::span(triangles)));
-    for (std::uint32_t i = 0; i < tiles.count() * kTilePixels; ++i) {
-        const std::optional<std::size_t> index = indexOf(i);
-        for (std::uint32_t sample = 0; index && sample < samples; ++sample) {
-            const std::uint32_t triangle = triangles[std::size_t{i} * kBlockSamples + sample];
-            if (triangle != kNoTriangle) {
-                film.addHit(*index, groups[triangle]);
-            }
-        }
-    }
+    return x < area.width() && y < area.height() ? std::size_t{y} * area.width() + x : kOutside;
 }
 
 void PathTracer::download(FilmData& film) const {
-    // Read only begun tiles: the others hold data of an earlier film.
-    const std::uint32_t begun = begunTiles().count();
-    const auto blocks = readTiles<FilmPixel>(device, filmBuffer, begun);
-    const auto totals = readTiles<FilmPixel>(device, totalBuffer, begun);
-    const bool hasLight = has(parts, kFilmLight);
-    const auto lights = readTiles<LightParts>(device, lightBuffer, hasLight ? begun : 0);
-    const auto totalLights = readTiles<LightParts>(device, totalLightBuffer, hasLight ? begun : 0);
-    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
-        if (const std::optional<std::size_t> index = indexOf(i)) {
-            film.pixels[*index] = addPixel(totals[i], blocks[i]);
-            if (hasLight) {
-                film.light[*index] = addPixelLight(totals[i], totalLights[i], lights[i]);
+    const TileSums read = readSums();
+    for (std::uint32_t i = 0; i < read.blocks.size(); ++i) {
+        if (const std::size_t index = indexInArea(i); index != kOutside) {
+            read.copySum(i, film, index);
+        }
+    }
+}
+
+std::uint32_t PathTracer::downloadSums(FilmData& earlier, FilmData& block,
+                                       const std::span<const std::uint32_t> groups) const {
+    const TileSums read = readSums();
+    const auto triangles = readTiles<std::array<std::uint32_t, kBlockSamples>>(
+        device, hits, groups.empty() ? 0 : begunTiles().count());
+    // Where the pass has not come yet, the last block is the one before.
+    const bool isFirstPass = passEnd > taken && taken == blockFirst && blockFirst > filmFirst && !hasSums;
+    const std::uint32_t reached = isFirstPass ? std::max(next, unfinished.end) : tiles.end;
+    for (std::uint32_t i = 0; i < read.blocks.size(); ++i) {
+        const std::size_t index = indexInArea(i);
+        if (index == kOutside) {
+            continue;
+        }
+        if (tiles.first + i / kTilePixels < reached) {
+            for (std::uint32_t sample = block.pixels[index].samples;
+                 !groups.empty() && sample < read.blocks[i].samples; ++sample) {
+                if (triangles[i][sample] != kNoTriangle) {
+                    block.addHit(index, groups[triangles[i][sample]]);
+                }
+            }
+            read.copyTotal(i, earlier, index);
+            read.copyBlock(i, block, index);
+        } else {
+            read.copySum(i, earlier, index);
+        }
+    }
+    return blockFirst;
+}
+
+void PathTracer::upload(const FilmData& earlier, const FilmData& block) {
+    TileSums written;
+    const std::size_t count = std::size_t{tiles.count()} * kTilePixels;
+    const std::size_t lit = has(parts, kFilmLight) ? count : 0;
+    written.blocks.assign(count, emptyPixel());
+    written.totals.assign(count, emptyPixel());
+    written.lights.assign(lit, noLight());
+    written.totalLights.assign(lit, noLight());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::size_t index = indexInArea(i);
+        if (index == kOutside) {
+            continue;
+        }
+        written.blocks[i] = block.pixels[index];
+        if (lit > 0) {
+            written.lights[i] = block.light[index];
+        }
+        if (!earlier.pixels.empty()) {
+            written.totals[i] = earlier.pixels[index];
+            if (lit > 0) {
+                written.totalLights[i] = earlier.light[index];
             }
         }
     }
+    vulkan::write(device, filmBuffer, 0, std::as_bytes(std::span(written.blocks)));
+    vulkan::write(device, totalBuffer, 0, std::as_bytes(std::span(written.totals)));
+    vulkan::write(device, lightBuffer, 0, std::as_bytes(std::span(written.lights)));
+    vulkan::write(device, totalLightBuffer, 0, std::as_bytes(std::span(written.totalLights)));
+    hasSums = true;
 }
 
 } // namespace metamarch::render

@@ -2,6 +2,7 @@
 // Runs the path tracer on a Vulkan device, one short submission at a time. Both whole pictures and pictures
 // that grow on a screen are made with it.
 #pragma once
+#include "metamarch/render/film_run.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
 #include "metamarch/render/work_size.h"
@@ -10,7 +11,6 @@
 #include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,9 +25,10 @@ struct TileRange {
     std::uint32_t count() const { return end - first; }
 };
 
-// The number of tiles of a picture: in each row, and in all.
+// The number of tiles of a picture, or of an area of it: in each row, and in all.
 struct Tiling {
     explicit Tiling(const Camera& camera);
+    explicit Tiling(const PixelRect& area);
 
     std::uint32_t perRow;
     std::uint32_t count;
@@ -56,6 +57,16 @@ class PathTracer {
     // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
 
+    // The same for the tiles of an area of the picture, and for samples from number firstSample on: the first
+    // sample of a block, or one that is alone.
+    void start(const Camera& camera, const PathSettings& settings, const PixelRect& area, TileRange tiles,
+               std::uint32_t firstSample);
+
+    // After start(): gives the film sums that were taken earlier. `block` has the samples of each pixel from
+    // firstSample on, at most a block of them, and `earlier` those before. The films cover the area; an
+    // `earlier` that is empty stands for no samples.
+    void upload(const FilmData& earlier, const FilmData& block);
+
     // Takes further samples in one submission of about `targetSeconds`. Passes run over the film from top to
     // bottom, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample` and
     // none beyond the end of a block (film.h); one call is a part of a pass. Returns the tiles that have
@@ -65,7 +76,8 @@ class PathTracer {
     // Returns the tiles that have samples.
     TileRange begunTiles() const;
 
-    // samples() is the number that every pixel has, meanSamples() the mean over the tiles.
+    // samples() is the number of the sample that is next for every pixel, meanSamples() the mean over the
+    // tiles.
     std::uint32_t samples() const { return taken; }
     double meanSamples() const;
 
@@ -77,18 +89,20 @@ class PathTracer {
     const vulkan::Buffer& total() const { return totalBuffer; }
     const Camera& camera() const { return input.camera; }
 
-    // Copies the film into `film`, which holds camera.width * camera.height pixels. Pixels without samples
-    // stay as they are.
+    // Copies the film into `film`, which covers the area. Pixels without samples stay as they are.
     void download(FilmData& film) const;
 
-    // Adds the first hits of the current block to `film`, with `groups` of each triangle. Call it once for
-    // each block, when every pixel has its samples. The film must have the part kFilmHits.
-    void countHits(std::span<const std::uint32_t> groups, FilmData& film) const;
+    // The same in the form that upload() takes, and the number of the block's first sample. An `earlier` that
+    // is empty stays so. With kFilmHits, `block` says what was uploaded: first hits of further samples are
+    // counted, with `groups` of each triangle; those of earlier blocks are not on the device.
+    std::uint32_t downloadSums(FilmData& earlier, FilmData& block,
+                               std::span<const std::uint32_t> groups = {}) const;
 
   private:
-    // The index in the picture of pixel `i` of the film on the device; none: it is outside the picture.
-    std::optional<std::size_t> indexOf(std::uint32_t i) const;
+    struct TileSums;
     bool dispatch(TileRange part, std::uint32_t endSample);
+    TileSums readSums() const;
+    std::size_t indexInArea(std::uint32_t i) const;
 
     const vulkan::Device& device;
     std::string traversal;
@@ -106,9 +120,13 @@ class PathTracer {
     vulkan::Submission submission;
     WorkSize work; // unit: one sample of every pixel of a tile
     PathInput input{};
+    PixelRect area;
     TileRange tiles;
     std::uint32_t tilesPerRow = 0;
-    std::uint32_t taken = 0;
+    std::uint32_t filmFirst = 0;           // number of the film's first sample
+    std::uint32_t blockFirst = 0;          // number of the current block's first sample
+    bool hasSums = false;                  // upload() has given the current block samples
+    std::uint32_t taken = 0;               // the number of the next sample of every pixel
     std::uint32_t passEnd = 0;             // the number of samples that the current pass ends with
     std::uint32_t next = 0;                // the next tile of the current pass
     std::uint32_t fitting = kBlockSamples; // the driver can probably finish this number per dispatch

@@ -66,8 +66,12 @@ void renameAlpha(Image& image) {
 
 Image imageOf(const RenderResult& result) {
     Image image =
-        filmImage(result.film, result.seen, static_cast<int>(result.size.x), static_cast<int>(result.size.y),
-                  result.settings.aovs(), result.settings.missDepth);
+        filmImage(result.film, result.seen, static_cast<int>(result.area.width()),
+                  static_cast<int>(result.area.height()), result.settings.aovs(), result.settings.missDepth);
+    image.left = static_cast<int>(result.area.left);
+    image.top = static_cast<int>(result.area.top);
+    image.fullWidth = static_cast<int>(result.size.x);
+    image.fullHeight = static_cast<int>(result.size.y);
     for (const CryptomatteLevel& level : result.cryptomatte) {
         addCryptomatte(level, result.film, image);
     }

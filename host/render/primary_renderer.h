@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the integrator `primary` on a Vulkan device.
 #pragma once
-#include "metamarch/reference/rows.h"
+#include "metamarch/reference/pieces.h"
 #include "metamarch/render/device_render.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/shared/primary.h"

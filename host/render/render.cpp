@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/render.h"
 
+#include "metamarch/error/error.h"
 #include "metamarch/reference/eye_media.h"
-#include "metamarch/reference/path.h"
 #include "metamarch/reference/primary.h"
-#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/path_sampler.h"
 #include "metamarch/render/primary_renderer.h"
 #include "metamarch/render/seen_points.h"
 #include "metamarch/render/surface_groups.h"
@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,6 +23,7 @@ namespace {
 RenderCounts countOf(const std::vector<FilmPixel>& film) {
     RenderCounts counts;
     for (const FilmPixel& pixel : film) {
+        counts.samples += pixel.samples;
         counts.rays += pixel.rays;
         counts.shadowRays += pixel.shadowRays;
         counts.steps += pixel.steps;
@@ -32,97 +34,219 @@ RenderCounts countOf(const std::vector<FilmPixel>& film) {
     return counts;
 }
 
-// `draw` fills the pixels of the result, and the members that say where and how they were made.
-template <class Draw>
-RenderResult renderBy(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
-                      const OnProgress& onProgress, const Draw& draw) {
-    if (!settings.isPrimary() &&
-        !(scene.shading != nullptr && scene.shadingOptions == settings.path.shading())) {
-        throw std::invalid_argument(
-            fmt::format("renderPicture: the scene is not lit for {}", nameOf(settings.path.integrator)));
+// The pixels of `film`, which covers the whole picture, in the area.
+std::vector<FilmPixel> cropped(const std::vector<FilmPixel>& film, const std::uint32_t width,
+                               const PixelRect& area) {
+    std::vector<FilmPixel> pixels;
+    pixels.reserve(area.pixelCount());
+    for (std::uint32_t y = area.top; y < area.bottom; ++y) {
+        const auto row = film.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * width);
+        pixels.insert(pixels.end(), row + area.left, row + area.right);
     }
-    RenderResult result;
-    result.settings = settings;
-    result.size = {camera.width, camera.height};
-    FilmRequest request{filmPartsOf(settings.aovs())};
-    SurfaceGroups groups;
-    if ((request.parts & kFilmHits) != 0) {
-        groups = groupSurfaces(*scene.scene);
-        request.groups = groups.ofTriangle;
-        result.cryptomatte = groups.levels;
-    }
-    const OnProgress watch = [&](const double part) {
-        const bool isOn = !onProgress || onProgress(part);
-        result.isCancelled = !isOn && part < 1.0;
-        return isOn;
-    };
-    PathSettings path{};
-    if (!settings.isPrimary()) {
-        path = settings.path.applied(scene.shading->settings);
-        path.eyeMedia = mediaAt(*scene.structure, *scene.shading, camera.eye);
-    }
-    const Stopwatch stopwatch;
-    draw(result, path, request, watch);
-    result.seconds.render = stopwatch.seconds();
-    result.counts = countOf(result.film.pixels);
-    if (std::ranges::any_of(settings.aovs(), &Aov::isOfSeenPoint)) {
-        result.seen = seenPoints(scene, camera, settings.isPrimary() ? nullptr : &path, result.film.pixels);
-    }
-    if (result.counts.rejected > 0) {
-        result.warnings.push_back(
-            fmt::format("{} samples were not finite and are left out", result.counts.rejected));
-    }
-    return result;
+    return pixels;
 }
 
-void take(DeviceRender render, RenderResult& result) {
-    result.film = std::move(render.film);
-    result.seconds.firstSubmission = render.firstSeconds;
-    result.seconds.device = render.deviceSeconds;
-    result.submissions = render.submissions;
+// The sums over all spans.
+FilmData sumOf(FilmRun run) {
+    FilmData film = std::move(run.spans.front().film);
+    for (std::size_t i = 1; i < run.spans.size(); ++i) {
+        addBlock(film, run.spans[i].film);
+    }
+    return film;
 }
+
+// One render while it lasts.
+class Render {
+  public:
+    Render(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
+           const RenderControl& control)
+        : scene_(scene), camera_(camera), settings_(settings), control_(control) {
+        if (!settings.isPrimary() &&
+            !(scene.shading != nullptr && scene.shadingOptions == settings.path.shading())) {
+            throw std::invalid_argument(
+                fmt::format("renderPicture: the scene is not lit for {}", nameOf(settings.path.integrator)));
+        }
+        result_.settings = settings;
+        request_.parts = filmPartsOf(settings.aovs());
+        if ((request_.parts & kFilmHits) != 0) {
+            groups_ = groupSurfaces(*scene.scene);
+            request_.groups = groups_.ofTriangle;
+            result_.cryptomatte = groups_.levels;
+        }
+        result_.size = {camera.width, camera.height};
+        result_.area = settings.area.value_or(PixelRect{0, 0, camera.width, camera.height});
+    }
+
+    RenderResult& result() { return result_; }
+
+    PathWork work() const { return {pathSettings(), camera_, result_.area, request_}; }
+
+    // `draw` gets an OnProgress and returns the film of the whole picture.
+    template <class Draw>
+    void drawPrimary(const Draw& draw) {
+        const OnProgress onProgress = [&](const double part) {
+            const auto pixels = static_cast<double>(std::size_t{camera_.width} * camera_.height);
+            const RenderProgress progress{.part = part,
+                                          .samples = part * pixels,
+                                          .samplesLeft = (1.0 - part) * pixels,
+                                          .nextSample = part < 1.0 ? 0u : 1u,
+                                          .endSample = 1,
+                                          .isPassEnd = part >= 1.0};
+            const bool isOn = !control_.onStep || control_.onStep(progress) != RenderWish::stop;
+            result_.isCancelled = !isOn && part < 1.0;
+            return isOn;
+        };
+        result_.film.pixels = cropped(draw(onProgress), camera_.width, result_.area);
+    }
+
+    // What was taken before a failure of the device is kept. A device that is lost gives nothing back: then
+    // the sums that were shown last are.
+    void drawPaths(PathSampler& sampler, const PathWork& work) {
+        PathRun run(sampler, work, {settings_.firstSample, settings_.samplesPerPixel}, control_,
+                    settings_.adaptive);
+        FilmRun shown;
+        try {
+            const auto show = [&](const RenderProgress& progress) {
+                shown = run.sums();
+                showPicture(progress, shown);
+            };
+            result_.isCancelled = !run.take(show);
+        } catch (const Error&) {
+            result_.failure = std::current_exception();
+            result_.isCancelled = true;
+        }
+        result_.settings.samplesPerPixel = settings_.firstSample + run.samples();
+        FilmRun sums = lastSums(run, std::move(shown));
+        if (control_.keepsSums || result_.isCancelled) {
+            result_.sums = sums;
+        }
+        result_.film = sums.spans.empty() ? FilmData(work.area.pixelCount(), work.request.parts)
+                                          : sumOf(std::move(sums));
+    }
+
+    RenderResult finish() {
+        result_.seconds.render = stopwatch_.seconds();
+        lookAtFilm(result_);
+        result_.samplesTaken = result_.counts.samples - resumedSamples();
+        if (result_.counts.rejected > 0) {
+            result_.warnings.push_back(
+                fmt::format("{} samples were not finite and are left out", result_.counts.rejected));
+        }
+        return std::move(result_);
+    }
+
+  private:
+    PathSettings pathSettings() const {
+        PathSettings path = settings_.path.applied(scene_.shading->settings);
+        path.eyeMedia = mediaAt(*scene_.structure, *scene_.shading, camera_.eye);
+        return path;
+    }
+
+    // What the channels of the picture need besides its film.
+    void lookAtFilm(RenderResult& result) const {
+        result.counts = countOf(result.film.pixels);
+        if (std::ranges::any_of(settings_.aovs(), &Aov::isOfSeenPoint)) {
+            const std::optional<PathSettings> path =
+                settings_.isPrimary() ? std::nullopt : std::optional(pathSettings());
+            result.seen =
+                seenPoints(scene_, camera_, result.area, path ? &*path : nullptr, result.film.pixels);
+        }
+    }
+
+    double resumedSamples() const {
+        double samples = 0.0;
+        for (const FilmSpan& span : control_.start.spans) {
+            samples += countOf(span.film.pixels).samples;
+        }
+        return samples;
+    }
+
+    void showPicture(const RenderProgress& progress, const FilmRun& sums) {
+        if (!control_.onShow) {
+            return;
+        }
+        RenderResult picture = result_;
+        picture.isCancelled = !progress.isPassEnd || progress.nextSample < progress.endSample;
+        picture.film = sumOf(sums);
+        picture.sums = sums;
+        picture.settings.samplesPerPixel = progress.nextSample;
+        picture.seconds.render = stopwatch_.seconds();
+        lookAtFilm(picture);
+        control_.onShow(progress, picture);
+    }
+
+    FilmRun lastSums(const PathRun& run, FilmRun shown) const {
+        try {
+            return run.sums();
+        } catch (const Error&) {
+            return shown;
+        }
+    }
+
+    const PreparedScene& scene_;
+    const Camera& camera_;
+    const RenderSettings& settings_;
+    const RenderControl& control_;
+    Stopwatch stopwatch_;
+    SurfaceGroups groups_;
+    FilmRequest request_; // refers to groups_
+    RenderResult result_;
+};
 
 } // namespace
 
+RenderPlace placeOnCpu() { return {"cpu", "metamarch", "kd_stack"}; }
+
+RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings) {
+    const TableMethod table = scene.scene().structure->options.table;
+    const std::string traversal =
+        settings.traversal.empty() ? std::string(marchingTraversal(table)) : settings.traversal;
+    requireTable(table, traversal);
+    return {scene.device().name(), scene.device().report().driverInfo, traversal};
+}
+
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
-                           const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const PathSettings& path, const FilmRequest& request,
-                          const OnProgress& watch) {
-        result.device = "cpu";
-        result.driver = "metamarch";
-        result.traversal = "kd_stack";
-        if (settings.isPrimary()) {
-            const ShadingData shading = makeShadingData(*scene.scene);
-            result.film.pixels = renderPrimaryOnCpu(*scene.structure, shading.materials,
-                                                    shading.materialOfTriangle, camera, watch);
-        } else {
-            result.film = renderPathsOnCpu(*scene.structure, *scene.shading, path, camera,
-                                           settings.samplesPerPixel, request, watch);
-        }
-    };
-    return renderBy(scene, camera, settings, onProgress, draw);
+                           const RenderControl& control) {
+    Render render(scene, camera, settings, control);
+    static_cast<RenderPlace&>(render.result()) = placeOnCpu();
+    if (settings.isPrimary()) {
+        const ShadingData shading = makeShadingData(*scene.scene);
+        render.drawPrimary([&](const OnProgress& onProgress) {
+            return renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle, camera,
+                                      onProgress);
+        });
+    } else {
+        const PathWork work = render.work();
+        CpuPathSampler sampler(*scene.structure, *scene.shading, work);
+        render.drawPaths(sampler, work);
+    }
+    return render.finish();
 }
 
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
-                           const OnProgress& onProgress) {
-    const auto draw = [&](RenderResult& result, const PathSettings& path, const FilmRequest& request,
-                          const OnProgress& watch) {
-        result.device = scene.device().name();
-        result.driver = scene.device().report().driverInfo;
-        const TableMethod table = scene.scene().structure->options.table;
-        result.traversal = settings.traversal.empty() ? marchingTraversal(table) : settings.traversal;
-        requireTable(table, result.traversal);
-        result.seconds.upload = scene.uploadSeconds();
-        if (settings.isPrimary()) {
-            take(renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, watch),
-                 result);
-        } else {
-            take(renderPathsOnDevice(scene.device(), scene.buffers(), scene.shading(), result.traversal, path,
-                                     camera, settings.samplesPerPixel, request, watch),
-                 result);
-        }
-    };
-    return renderBy(scene.scene(), camera, settings, onProgress, draw);
+                           const RenderControl& control) {
+    Render render(scene.scene(), camera, settings, control);
+    RenderResult& result = render.result();
+    static_cast<RenderPlace&>(result) = placeOn(scene, settings);
+    result.seconds.upload = scene.uploadSeconds();
+    if (settings.isPrimary()) {
+        render.drawPrimary([&](const OnProgress& onProgress) {
+            DeviceRender drawn =
+                renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, onProgress);
+            result.seconds.firstSubmission = drawn.firstSeconds;
+            result.seconds.device = drawn.deviceSeconds;
+            result.submissions = drawn.submissions;
+            return std::move(drawn.film.pixels);
+        });
+    } else {
+        const PathWork work = render.work();
+        DevicePathSampler sampler(scene.device(), scene.buffers(), scene.shading(), result.traversal, work);
+        render.drawPaths(sampler, work);
+        result.seconds.firstSubmission = sampler.counters().firstSeconds;
+        result.seconds.device = sampler.counters().deviceSeconds;
+        result.submissions = sampler.counters().submissions;
+    }
+    return render.finish();
 }
 
 } // namespace metamarch::render

@@ -8,13 +8,15 @@
 #pragma once
 #include "metamarch/image/aov.h"
 #include "metamarch/image/cryptomatte.h"
-#include "metamarch/reference/rows.h"
 #include "metamarch/render/device_scene.h"
+#include "metamarch/render/path_run.h"
 #include "metamarch/shared/camera.h"
 #include "metamarch/shared/film_data.h"
 
 #include <cstdint>
+#include <exception>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +24,16 @@ namespace metamarch::render {
 
 struct RenderSettings {
     PathChoice path;
-    std::uint32_t samplesPerPixel = 64; // `primary` always takes one
+    // The samples [firstSample, samplesPerPixel) of each pixel are taken: all, or a part of them. `primary`
+    // always takes one.
+    std::uint32_t firstSample = 0;
+    std::uint32_t samplesPerPixel = 64;
+    AdaptiveChoice adaptive{};       // only with firstSample 0; then samplesPerPixel is the most
+    std::optional<PixelRect> area{}; // of the camera's picture; without one: all of it
     // The channels of the picture; empty: those that the integrator writes where nobody chooses.
     std::vector<Aov> channels{};
-    float missDepth =
-        std::numeric_limits<float>::infinity(); // of its channels Z and t where there is nothing
+    // Of its channels Z and t where there is nothing.
+    float missDepth = std::numeric_limits<float>::infinity();
     // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
     std::string traversal{};
 
@@ -37,6 +44,7 @@ struct RenderSettings {
 
 // Totals over all rays of the picture.
 struct RenderCounts {
+    double samples = 0.0;
     double rays = 0.0;
     double shadowRays = 0.0;
     double steps = 0.0; // of all rays
@@ -52,32 +60,45 @@ struct RenderSeconds {
     double device = 0.0;          // all other submissions
 };
 
-struct RenderResult {
-    RenderSettings settings; // as the caller gave them
-    glm::uvec2 size{0};
+// What drew a picture.
+struct RenderPlace {
+    std::string device; // its name, or "cpu"
+    std::string driver;
+    std::string traversal;
+};
+
+RenderPlace placeOnCpu();
+// Throws Error(invalidArgument) for a traversal that needs another table than the scene has.
+RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings);
+
+struct RenderResult : RenderPlace {
+    RenderSettings settings;   // as the caller gave them; samplesPerPixel is what every pixel has
+    double samplesTaken = 0.0; // of all pixels, by this call
+    glm::uvec2 size{0};        // of the whole picture
+    PixelRect area;            // what `film` covers
     FilmData film;
     std::vector<SeenPoint> seen;               // of each pixel, if a channel needs it
     std::vector<CryptomatteLevel> cryptomatte; // of film.hits, if they are asked
     bool isCancelled = false;                  // some pixels have too few samples, or none
+    // The same samples in the form from which a render goes on; only if the control keeps them, or if the
+    // render is cancelled or failed.
+    FilmRun sums;
+    // Where the device was lost or its memory ran out: why. The film has what was finished.
+    std::exception_ptr failure;
 
-    std::string device; // its name, or "cpu"
-    std::string driver;
-    std::string traversal;
     RenderCounts counts;
     RenderSeconds seconds; // all but `render` are 0 on the CPU
     std::uint32_t submissions = 0;
     std::vector<std::string> warnings; // about this picture, one line each, for the user
 };
 
-// Renders on the CPU, with the stack traversal. Calls `onProgress` after each row. If it cancels, returns the
-// picture as far as it is, with isCancelled. Throws std::invalid_argument if the integrator needs light and
-// the scene has none, or was lit for another integrator.
+// Renders on the CPU, with the stack traversal. Throws std::invalid_argument if the integrator needs light
+// and the scene has none, or was lit for another integrator.
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
-                           const OnProgress& onProgress = {});
+                           const RenderControl& control = {});
 
-// Renders on the device. Calls `onProgress` after each submission. Also throws what renderPathsOnDevice and
-// SceneBuffers::makePipeline throw.
+// Renders on the device. Also throws what the constructor of PathTracer and SceneBuffers::makePipeline throw.
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
-                           const OnProgress& onProgress = {});
+                           const RenderControl& control = {});
 
 } // namespace metamarch::render

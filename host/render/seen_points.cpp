@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/seen_points.h"
 
-#include "metamarch/reference/rows.h"
+#include "metamarch/reference/pieces.h"
 #include "metamarch/shared/hit_point.h"
 #include "metamarch/shared/path.h"
 
@@ -35,20 +35,21 @@ SeenPoint seenPoint(const PreparedScene& prepared, const CameraRay& view, const 
 
 } // namespace
 
-std::vector<SeenPoint> seenPoints(const PreparedScene& scene, const Camera& camera,
+std::vector<SeenPoint> seenPoints(const PreparedScene& scene, const Camera& camera, const PixelRect& area,
                                   const PathSettings* const path, const std::span<const FilmPixel> pixels) {
     static_assert(kNoMaterial == kNoId);
     std::vector<SeenPoint> seen(pixels.size());
     const auto seeRow = [&](const uint y) {
-        for (uint x = 0; x < camera.width; ++x) {
-            const std::size_t pixel = std::size_t{y} * camera.width + x;
+        for (uint x = 0; x < area.width(); ++x) {
+            const std::size_t pixel = std::size_t{y} * area.width() + x;
             const uint triangleId = pixels[pixel].seen.triangleId;
             if (triangleId != kNoTriangle) {
-                seen[pixel] = seenPoint(scene, firstRay(camera, path, x, y), triangleId);
+                seen[pixel] =
+                    seenPoint(scene, firstRay(camera, path, area.left + x, area.top + y), triangleId);
             }
         }
     };
-    forEachRow(camera.height, seeRow, {});
+    forEachPiece(area.height(), seeRow, {});
     return seen;
 }
 

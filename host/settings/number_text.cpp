@@ -109,6 +109,14 @@ glm::uvec2 parseSize(const std::string& text) {
     return {sides[0], sides[1]};
 }
 
+PixelRect parseRect(const std::string& text) {
+    const std::vector<std::uint32_t> edges = numbersIn<std::uint32_t>(text, ',');
+    if (edges.size() != 4 || edges[0] >= edges[2] || edges[1] >= edges[3]) {
+        refuse("x0,y0,x1,y1 in pixels, with x0 < x1 and y0 < y1");
+    }
+    return {edges[0], edges[1], edges[2], edges[3]};
+}
+
 std::string shortestText(const std::function<std::string(int digits)>& textWith,
                          const std::function<bool(const std::string& text)>& readsBack) {
     for (int digits = 6; digits < std::numeric_limits<double>::max_digits10; ++digits) {

@@ -2,6 +2,8 @@
 // Reads the numbers in the text of a setting. Every function throws Error(invalidArgument), saying what to
 // give instead: "give a finite number". A leading + is allowed.
 #pragma once
+#include "metamarch/shared/film_data.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
@@ -35,6 +37,9 @@ glm::dvec3 parseOneOrThree(const std::string& text);
 
 // Reads "WxH", both at least 1. Throws Error(outOfMemory) for a picture of more than kMaxPixels.
 glm::uvec2 parseSize(const std::string& text);
+
+// "x0,y0,x1,y1": the pixels [x0, x1) x [y0, y1), at least one.
+PixelRect parseRect(const std::string& text);
 
 // Returns the first of textWith(6), textWith(7), ..., textWith(17) that the setting reads back as the value
 // it has. The user sees such values in other units, whose decimals do not round as the value does.

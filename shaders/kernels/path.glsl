@@ -13,6 +13,10 @@
 layout(std430, binding = kBindInput) readonly buffer InputBuffer {
     Camera camera;
     PathSettings settings;
+    uint areaLeft;
+    uint areaTop;
+    uint areaWidth;
+    uint areaHeight;
 };
 layout(std430, binding = kBindOutput) buffer FilmBuffer { FilmPixel film[]; };
 layout(std430, binding = kBindTotal) writeonly buffer TotalBuffer { FilmPixel total[]; };
@@ -52,10 +56,11 @@ Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at,
 
 void main() {
     const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
-    if (pixel.x >= camera.width || pixel.y >= camera.height) {
+    const uvec2 inArea = pixelOfTile(tile, push.tilesPerRow);
+    if (inArea.x >= areaWidth || inArea.y >= areaHeight) {
         return;
     }
+    const uvec2 pixel = uvec2(areaLeft, areaTop) + inArea;
     const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
     FilmPixel sum = emptyPixel();
     LightParts lightSum = noLight();

@@ -7,10 +7,15 @@
 
 SHARED_BEGIN
 
-// The input that is the same for all invocations.
+// The input that is the same for all invocations. The film covers an area of the camera's picture; its tiles
+// are those of the area.
 struct PathInput {
     Camera camera;
     PathSettings settings;
+    uint areaLeft; // in pixels of the camera's picture
+    uint areaTop;
+    uint areaWidth;
+    uint areaHeight;
 };
 
 // A workgroup has one tile of kTilePixels pixels (primary.h).
@@ -40,8 +45,9 @@ struct PathStatus {
 };
 
 SHARED_ASSERT_SIZE(PathStatus, 20)
-SHARED_ASSERT_SIZE(PathInput, 224)
+SHARED_ASSERT_SIZE(PathInput, 240)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
+SHARED_ASSERT_OFFSET(PathInput, areaLeft, 224)
 SHARED_ASSERT_SIZE(PathPush, 24)
 SHARED_ASSERT_SIZE(AddBlockPush, 4)
 

@@ -107,6 +107,10 @@ void addAttributes(const Image& image, OIIO::ImageSpec& spec) {
 
 OIIO::ImageSpec specOf(const Image& image, const Part& part, const ExrStorage& storage) {
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(part.channels.size()), OIIO::TypeFloat);
+    spec.x = image.left;
+    spec.y = image.top;
+    spec.full_width = image.fullWidth > 0 ? image.fullWidth : image.width;
+    spec.full_height = image.fullHeight > 0 ? image.fullHeight : image.height;
     spec.channelnames.clear();
     for (const Channel& channel : part.channels) {
         spec.channelnames.push_back(channel.name);

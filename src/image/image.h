@@ -36,6 +36,11 @@ struct Image {
 
     int width = 0;
     int height = 0;
+    // Where the pixels lie in a larger picture, whose size is fullWidth x fullHeight; 0: this is the whole.
+    int left = 0;
+    int top = 0;
+    int fullWidth = 0;
+    int fullHeight = 0;
     std::vector<std::string> channels;
     std::vector<float> pixels; // interleaved, row 0 is the top one
     std::vector<std::string> idChannels;

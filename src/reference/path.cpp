@@ -3,6 +3,7 @@
 
 #include "metamarch/reference/trace.h"
 #include "metamarch/shared/path.h"
+#include "metamarch/shared/primary.h"
 
 #include <algorithm>
 
@@ -76,43 +77,69 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
     return taken;
 }
 
-// Adds the block of samples [first, end) of the pixel with this index to the film.
-void addBlock(const Render& render, const FilmRequest& request, const uint index, const uint first,
-              const uint end, FilmData& film) {
-    FilmPixel block = emptyPixel();
-    LightParts light = noLight();
-    for (uint sample = first; sample < end; ++sample) {
-        const PathSample taken =
-            takeSample(render, index % render.camera.width, index / render.camera.width, sample);
-        if (!film.hits.empty() && taken.first.triangleId != kNoTriangle) {
-            film.addHit(index, request.groups[taken.first.triangleId]);
-        }
-        light = endSampleLight(light, taken);
-        block = endSample(block, taken);
-    }
-    FilmPixel& pixel = film.pixels[index];
-    if (!film.light.empty()) {
-        film.light[index] = addPixelLight(pixel, film.light[index], light);
-    }
-    pixel = addPixel(pixel, block);
-}
-
 } // namespace
 
-FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                          const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
-                          const FilmRequest& request, const OnProgress& onProgress) {
-    FilmData film(std::size_t{camera.width} * camera.height, request.parts);
+bool takeBlockOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
+                    const PathSettings& settings, const Camera& camera, const PixelRect& area,
+                    const std::uint32_t firstSample, const std::uint32_t samples, const FilmRequest& request,
+                    FilmData& block, const OnProgress& onProgress) {
     const Render render{structure, scene, settings, camera};
-    const auto renderRow = [&](const uint y) {
-        for (uint x = 0; x < camera.width; ++x) {
-            for (uint first = 0; first < samples; first += kBlockSamples) {
-                addBlock(render, request, y * camera.width + x, first,
-                         std::min(first + kBlockSamples, samples), film);
+    const uint tilesPerRow = (area.width() + kTileSide - 1) / kTileSide;
+    const uint tiles = tilesPerRow * ((area.height() + kTileSide - 1) / kTileSide);
+    // Calls `visit` with each pixel of the area that is in the tile.
+    const auto forEachPixel = [&](const uint tile, const auto& visit) {
+        const uint left = tile % tilesPerRow * kTileSide;
+        const uint top = tile / tilesPerRow * kTileSide;
+        for (uint y = top; y < std::min(top + kTileSide, area.height()); ++y) {
+            for (uint x = left; x < std::min(left + kTileSide, area.width()); ++x) {
+                visit(x, y, std::size_t{y} * area.width() + x);
             }
         }
     };
-    forEachRow(camera.height, renderRow, onProgress);
+    std::vector<uint> missing;
+    for (uint tile = 0; tile < tiles; ++tile) {
+        bool isWhole = true;
+        forEachPixel(tile, [&](uint, uint, const std::size_t index) {
+            isWhole = isWhole && block.pixels[index].samples >= samples;
+        });
+        if (!isWhole) {
+            missing.push_back(tile);
+        }
+    }
+    const auto takeSamples = [&](const uint x, const uint y, const std::size_t index) {
+        FilmPixel& pixel = block.pixels[index];
+        while (pixel.samples < samples) {
+            const PathSample taken =
+                takeSample(render, area.left + x, area.top + y, firstSample + pixel.samples);
+            if (!block.light.empty()) {
+                block.light[index] = endSampleLight(block.light[index], taken);
+            }
+            if (!block.hits.empty() && taken.first.triangleId != kNoTriangle) {
+                block.addHit(index, request.groups[taken.first.triangleId]);
+            }
+            pixel = endSample(pixel, taken);
+        }
+    };
+    const auto whole = static_cast<double>(tiles - missing.size());
+    const auto onPart = [&](const double part) {
+        return !onProgress || onProgress((whole + part * static_cast<double>(missing.size())) / tiles);
+    };
+    return forEachPiece(
+        static_cast<unsigned>(missing.size()),
+        [&](const unsigned piece) { forEachPixel(missing[piece], takeSamples); }, onPart);
+}
+
+FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
+                          const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
+                          const FilmRequest& request) {
+    const PixelRect area{0, 0, camera.width, camera.height};
+    FilmData film(area.pixelCount(), request.parts);
+    for (std::uint32_t first = 0; first < samples; first += kBlockSamples) {
+        FilmData block(area.pixelCount(), request.parts);
+        takeBlockOnCpu(structure, scene, settings, camera, area, first,
+                       std::min(kBlockSamples, samples - first), request, block);
+        addBlock(film, block);
+    }
     return film;
 }
 

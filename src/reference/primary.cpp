@@ -37,7 +37,7 @@ std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure
                 renderPixel(structure, materials, materialOfTriangle, camera, x, y);
         }
     };
-    forEachRow(camera.height, renderRow, onProgress);
+    forEachPiece(camera.height, renderRow, onProgress);
     return pixels;
 }
 

@@ -2,7 +2,7 @@
 // The integrator `primary` on the CPU, with the stack traversal.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
-#include "metamarch/reference/rows.h"
+#include "metamarch/reference/pieces.h"
 #include "metamarch/shared/primary.h"
 
 #include <span>

@@ -18,6 +18,9 @@ class HelpTest(ProgramTest):
         (self.tmp / "build" / "metamarch").symlink_to(metamarch())
         (self.tmp / "scenes").symlink_to(SCENES)
         self.succeed("render", "scenes/objects.glb", "-o", "build/demo/objects.exr", "--size", "64x36")
+        for name, samples in (("a", "0:2"), ("b", "2:3")):
+            self.succeed("render", "scenes/cornell.glb", "-o", f"build/{name}.part", "--size", "8x8", "--samples", samples,
+                         "--backend", "cpu")
 
     def test_every_help_ends_with_an_example_that_works(self):
         self.make_tree()

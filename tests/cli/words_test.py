@@ -6,7 +6,7 @@ from program import SCENES, ProgramTest, main
 
 # What people type to F3D, Blender, Mitsuba and pbrt, and what it is called here.
 ANSWERS = {
-    "--spp": "--samples -n --samples-per-pixel --sample_count --pixelsamples",
+    "--spp": "-n --samples-per-pixel --sample_count --pixelsamples",
     "--size": "--width --height -W -H -w -r --resolution --res --resolution=640x480",
     "--env": "--envmap --hdri --environment --HDRI",
     "--max-bounces": "--max-depth --max_depth --maxdepth --bounces",
@@ -32,7 +32,7 @@ ANSWERS = {
     "--exposure": "--gain --ev",
     "--transparent": "--film-transparent --no-background --alpha",
     "denoiser": "--denoise",
-    "whole": "--crop",
+    "--crop": "--border --crop-window",
     "no file of settings": "--config",
     "standard error": "--log",
 }

@@ -33,16 +33,19 @@ FilmData BothSides::filmOnCpu(const PathWork& work) const {
     return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples, request(work));
 }
 
-render::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
-                                         const Where where) const {
+BothSides::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
+                                            const Where where, const std::uint32_t mostTiles) const {
     const vulkan::Device& device = vulkan::testDevice();
     const render::SceneBuffers buffers =
         where == Where::fasterMemory
             ? render::SceneBuffers(device, structure, primary)
             : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
     const render::ShadingBuffers shadingBuffers(device, shading);
-    return render::renderPathsOnDevice(device, buffers, shadingBuffers, traversal, settings(work), camera,
-                                       work.samples, request(work));
+    render::DevicePathSampler sampler(
+        device, buffers, shadingBuffers, traversal,
+        {settings(work), camera, {0, 0, camera.width, camera.height}, request(work)}, mostTiles);
+    FilmData film = takeSamples(sampler, work.samples);
+    return {std::move(film), sampler.counters().submissions};
 }
 
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {

@@ -2,7 +2,7 @@
 // Renders a scene on the device and on the CPU, and compares the films.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
-#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/path_sampler.h"
 #include "metamarch/shading/shading.h"
 #include "path/path_scene.h"
 
@@ -25,8 +25,14 @@ class BothSides {
 
     enum class Where { fasterMemory, storageBuffers };
 
-    render::DeviceRender onDevice(const std::string& traversal, const PathWork& work,
-                                  Where where = Where::fasterMemory) const;
+    struct DeviceRender {
+        FilmData film;
+        std::uint32_t submissions;
+    };
+
+    DeviceRender onDevice(const std::string& traversal, const PathWork& work,
+                          Where where = Where::fasterMemory,
+                          std::uint32_t mostTiles = render::DevicePathSampler::kMostTiles) const;
 
   private:
     PathSettings settings(const PathWork& work) const;

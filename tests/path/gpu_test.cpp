@@ -67,7 +67,7 @@ TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
 TEST_F(PathGpuWork, cutWorkDrawsTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {100, 70});
     const PathWork many{.samples = 37, .maxBounces = 2};
-    const render::DeviceRender whole = sides.onDevice(kDefaultTraversal, many);
+    const BothSides::DeviceRender whole = sides.onDevice(kDefaultTraversal, many);
     EXPECT_GE(whole.submissions, 4u);
     expectSameFilm(whole.film.pixels, sides.onCpu(many));
 }
@@ -110,11 +110,12 @@ TEST_F(PathGpuWork, partsOfTheFilmAreTheSame) {
     }
 }
 
-// The picture has more tiles of 8 x 8 pixels than the film on the device, which has 2^14.
+// The picture has more tiles of 8 x 8 pixels than the film on the device, and more than a block of samples.
 TEST_F(PathGpuWork, bandsDrawTheSame) {
-    const BothSides sides(gpuPathScenes().front().make(), {1153, 1000});
-    const PathWork few{.samples = 1, .maxBounces = 0};
-    expectSameFilm(sides.onDevice(kDefaultTraversal, few).film.pixels, sides.onCpu(few));
+    const BothSides sides(gpuPathScenes().front().make(), {60, 45});
+    const PathWork few{.samples = 19, .maxBounces = 0};
+    expectSameFilm(sides.onDevice(kDefaultTraversal, few, BothSides::Where::fasterMemory, 9).film.pixels,
+                   sides.onCpu(few));
 }
 
 struct FileScene {

@@ -4,6 +4,7 @@
 #include "fixtures/temporary_folder.h"
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/image/image_file.h"
+#include "metamarch/render/film_run.h"
 #include "metamarch/render/picture.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/view.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <random>
 #include <stdexcept>
 
 namespace metamarch::tests {
@@ -43,13 +45,34 @@ class Picture : public testing::TestWithParam<Backend> {
 
     void lightFor(const RenderSettings& settings) { prepared.light("ball", settings.path, {}); }
 
-    RenderResult render(const RenderSettings& settings, const OnProgress& onProgress = {}) {
+    RenderResult render(const RenderSettings& settings, const render::RenderControl& control = {}) {
         if (!settings.isPrimary()) {
             lightFor(settings);
         }
-        return GetParam() == Backend::cpu ? renderPicture(prepared, camera, settings, onProgress)
+        return GetParam() == Backend::cpu ? renderPicture(prepared, camera, settings, control)
                                           : renderPicture(render::DeviceScene(vulkan::testDevice(), prepared),
-                                                          camera, settings, onProgress);
+                                                          camera, settings, control);
+    }
+
+    // The same, with a scene that is on the device from one call to the next.
+    RenderResult renderAgain(const RenderSettings& settings, const render::RenderControl& control = {}) {
+        if (prepared.shading == nullptr) {
+            lightFor(settings);
+        }
+        if (GetParam() == Backend::cpu) {
+            return renderPicture(prepared, camera, settings, control);
+        }
+        if (!onDevice) {
+            onDevice.emplace(vulkan::testDevice(), prepared);
+        }
+        return renderPicture(*onDevice, camera, settings, control);
+    }
+
+    // Stops at the first step of which `isOn` is false.
+    static render::RenderControl until(const std::function<bool(double part)>& isOn) {
+        return {.onStep = [isOn](const render::RenderProgress& progress) {
+            return isOn(progress.part) ? render::RenderWish::goOn : render::RenderWish::stop;
+        }};
     }
 
     static RenderSettings by(const Integrator integrator, const std::uint32_t samples = 1) {
@@ -61,6 +84,7 @@ class Picture : public testing::TestWithParam<Backend> {
     }
 
     render::PreparedScene prepared;
+    std::optional<render::DeviceScene> onDevice;
     SceneCamera view;
     Camera camera;
 };
@@ -83,10 +107,10 @@ TEST_P(Picture, progressRisesToOne) {
     for (const Integrator integrator : {Integrator::path, Integrator::primary}) {
         SCOPED_TRACE(nameOf(integrator));
         std::vector<double> parts;
-        const RenderResult result = render(by(integrator, 3), [&](const double part) {
-            parts.push_back(part);
-            return true;
-        });
+        const RenderResult result = render(by(integrator, 3), until([&](const double part) {
+                                               parts.push_back(part);
+                                               return true;
+                                           }));
         EXPECT_FALSE(result.isCancelled);
         ASSERT_GT(parts.size(), 1u);
         EXPECT_GT(parts.front(), 0.0);
@@ -98,7 +122,7 @@ TEST_P(Picture, progressRisesToOne) {
 TEST_P(Picture, holdsWhatIsThereWhenItIsCancelled) {
     for (const Integrator integrator : {Integrator::path, Integrator::primary}) {
         SCOPED_TRACE(nameOf(integrator));
-        const RenderResult result = render(by(integrator), [](double) { return false; });
+        const RenderResult result = render(by(integrator), until([](double) { return false; }));
         EXPECT_TRUE(result.isCancelled);
         const std::size_t pixels = countWhole(result.film.pixels, render(by(integrator)).film.pixels);
         EXPECT_GT(pixels, 0u);
@@ -107,10 +131,72 @@ TEST_P(Picture, holdsWhatIsThereWhenItIsCancelled) {
 }
 
 TEST_P(Picture, isNotCancelledAtItsEnd) {
-    const RenderResult result = render(by(Integrator::path), [](const double part) { return part < 1.0; });
+    const RenderResult result =
+        render(by(Integrator::path), until([](const double part) { return part < 1.0; }));
     EXPECT_FALSE(result.isCancelled);
     EXPECT_EQ(countWhole(result.film.pixels, render(by(Integrator::path)).film.pixels),
               result.film.pixels.size());
+}
+
+// Random cuts of samples and areas.
+TEST_P(Picture, anyPartitionAddsUp) {
+    const RenderSettings settings = by(Integrator::direct, 20);
+    const FilmData whole = renderAgain(settings).film;
+    std::mt19937 random(7);
+    for (int trial = 0; trial < (GetParam() == Backend::cpu ? 10 : 1); ++trial) {
+        SCOPED_TRACE(trial);
+        const auto below = [&](const std::uint32_t end) {
+            return std::uniform_int_distribution<std::uint32_t>(1, end - 1)(random);
+        };
+        const std::uint32_t x = below(51);
+        const std::uint32_t cut = below(20);
+        render::FilmSum sum({0, 0, 51, 38}, 0);
+        for (const auto& [first, end] : {std::pair(0u, cut), std::pair(cut, 20u)}) {
+            for (const PixelRect& area : {PixelRect{0, 0, x, 38}, {x, 0, 51, 38}}) {
+                RenderSettings part = settings;
+                part.firstSample = first;
+                part.samplesPerPixel = end;
+                part.area = area;
+                const RenderResult result = renderAgain(part, {.keepsSums = true});
+                EXPECT_EQ(result.area, area);
+                for (const render::FilmSpan& span : result.sums.spans) {
+                    EXPECT_TRUE(sum.add(area, span));
+                }
+            }
+        }
+        EXPECT_EQ(countWhole(sum.take().pixels, whole.pixels), whole.pixels.size());
+    }
+}
+
+TEST_P(Picture, goesOnFromWhereItWasStopped) {
+    const RenderSettings settings = by(Integrator::direct, 40);
+    const FilmData whole = renderAgain(settings).film;
+    // A device compiles the kernel for each render.
+    const std::vector<double> cpuParts = {0.1, 0.3, 0.5, 0.9};
+    for (const double part : GetParam() == Backend::cpu ? cpuParts : std::vector{0.3}) {
+        const RenderResult stopped =
+            renderAgain(settings, until([&](const double done) { return done < part; }));
+        EXPECT_TRUE(stopped.isCancelled);
+        const RenderResult result = renderAgain(settings, {.start = stopped.sums});
+        EXPECT_FALSE(result.isCancelled);
+        EXPECT_LT(result.samplesTaken, 40.0 * 51 * 38);
+        EXPECT_EQ(countWhole(result.film.pixels, whole.pixels), whole.pixels.size());
+    }
+}
+
+// An adaptive picture takes fewer samples, and the same on both backends.
+TEST_P(Picture, adaptiveSamplesAreThoseOfTheCpu) {
+    RenderSettings settings = by(Integrator::direct, 64);
+    settings.adaptive = {.threshold = 0.02, .minSamples = 16};
+    const RenderResult result = render(settings);
+    EXPECT_LT(result.counts.samples, 50.0 * 51 * 38);
+    EXPECT_GT(result.counts.samples, 16.0 * 51 * 38);
+    lightFor(settings);
+    const RenderResult expected = renderPicture(prepared, camera, settings);
+    for (std::size_t i = 0; i < expected.film.pixels.size(); ++i) {
+        ASSERT_EQ(std::memcmp(&result.film.pixels[i], &expected.film.pixels[i], offsetof(FilmPixel, steps)),
+                  0);
+    }
 }
 
 TEST_P(Picture, saysWhatItTook) {

@@ -4,7 +4,7 @@
 #include "fixtures/vulkan_environment.h"
 #include "metamarch/image/tone_mapping.h"
 #include "metamarch/render/kernel.h"
-#include "metamarch/render/path_renderer.h"
+#include "metamarch/render/path_sampler.h"
 #include "metamarch/render/path_tracer.h"
 #include "metamarch/render/resolver.h"
 #include "metamarch/shaders/shader_library.h"
@@ -50,9 +50,9 @@ class GrowingFilm : public testing::Test {
     }
 
     std::vector<FilmPixel> atOnce(const Camera& seen, const std::uint32_t samples) const {
-        return render::renderPathsOnDevice(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
-                                           settings, seen, samples, {})
-            .film.pixels;
+        render::DevicePathSampler sampler(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
+                                          {settings, seen, {0, 0, seen.width, seen.height}});
+        return takeSamples(sampler, samples).pixels;
     }
 
     render::PathTracer tracer() const {

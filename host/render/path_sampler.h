@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Takes samples with the path tracer and keeps their sums, on a device or on the CPU.
+#pragma once
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/pieces.h"
+#include "metamarch/render/path_tracer.h"
+#include "metamarch/shared/film_data.h"
+#include "metamarch/shared/shading_scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace metamarch::render {
+
+// The sums of an area's pixels in the middle of a block.
+struct PathSums {
+    FilmData earlier;             // of all blocks before the current one
+    std::uint32_t blockFirst = 0; // number of the current block's first sample
+    FilmData block;
+};
+
+// What all samples of a picture share.
+struct PathWork {
+    PathSettings settings;
+    Camera camera;
+    PixelRect area; // of the camera's picture
+    FilmRequest request{};
+};
+
+class PathSampler {
+  public:
+    PathSampler() = default;
+    virtual ~PathSampler() = default;
+    PathSampler(const PathSampler&) = delete;
+    PathSampler& operator=(const PathSampler&) = delete;
+
+    // Goes on with these sums. The block begins at a block of the samples of a pixel (kBlockSamples), or is a
+    // single sample.
+    virtual void start(PathSums sums) = 0;
+
+    // Takes samples until each pixel has those before number `endSample`, which is not beyond the end of the
+    // next block. Calls `onProgress` after each submission, or each tile on the CPU. If that cancels, returns
+    // false; another call takes the missing samples.
+    virtual bool take(std::uint32_t endSample, const OnProgress& onProgress) = 0;
+
+    // From now on only the pixels with 1 take samples: a flag for each pixel of the area.
+    virtual void setActive(std::vector<std::uint8_t> active) = 0;
+
+    // Copies the sums, also after a call of take() that was cancelled.
+    virtual PathSums sums() const = 0;
+};
+
+// Takes the samples before number `endSample` that are missing, and returns all sums.
+FilmData takeSamples(PathSampler& sampler, std::uint32_t endSample);
+
+// Without samples.
+PathSums noSums(const PathWork& work, std::uint32_t firstSample);
+
+class CpuPathSampler : public PathSampler {
+  public:
+    // Structure and scene must outlive the sampler.
+    CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene, const PathWork& work);
+
+    void start(PathSums sums) override { sums_ = std::move(sums); }
+    void setActive(std::vector<std::uint8_t> active) override { active_ = std::move(active); }
+    bool take(std::uint32_t endSample, const OnProgress& onProgress) override;
+    PathSums sums() const override { return sums_; }
+
+  private:
+    const AccelerationStructure& structure_;
+    const ShadingScene& scene_;
+    PathWork work_;
+    PathSums sums_;
+    std::vector<std::uint8_t> active_; // none: all pixels are
+};
+
+// The film stays on the device. One that is too large for a buffer, or of which not all pixels take samples,
+// is in the host's memory, and each pass takes it to the device in bands.
+class DevicePathSampler : public PathSampler {
+  public:
+    // Throws what the constructor of PathTracer throws.
+    DevicePathSampler(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
+                      const std::string& traversal, const PathWork& work,
+                      std::uint32_t mostTiles = kMostTiles);
+
+    void start(PathSums sums) override;
+    void setActive(std::vector<std::uint8_t> active) override;
+    // Also throws what PathTracer::advance throws.
+    bool take(std::uint32_t endSample, const OnProgress& onProgress) override;
+    PathSums sums() const override;
+
+    const PathCounters& counters() const { return tracer_.counters(); }
+
+    // Each of the buffers of their film is 112 MiB, within every device's maxStorageBufferRange.
+    static constexpr std::uint32_t kMostTiles = 1u << 14u;
+
+  private:
+    bool isOnHost() const {
+        return tiles_ > mostTiles_ || !active_.empty() || (work_.request.parts & kFilmHits) != 0;
+    }
+    bool advanceTo(std::uint32_t endSample, TileRange tiles, const OnProgress& onProgress);
+    bool takeBand(std::uint32_t endSample, TileRange tiles, FilmData& block, bool isBegun,
+                  const OnProgress& onProgress);
+
+    PathWork work_;
+    std::uint32_t tiles_;
+    std::uint32_t mostTiles_;
+    PathTracer tracer_;
+    PathSums sums_;                    // if the film is in the host's memory
+    std::vector<std::uint8_t> active_; // none: all pixels are
+};
+
+} // namespace metamarch::render
