@@ -16,6 +16,7 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <variant>
 
 namespace metamarch::tests {
 namespace {
@@ -240,7 +241,12 @@ TEST_P(Picture, writesHowItWasMade) {
     render::writePicture(result, {"metamarch 0", "ball.glb", view, "--spp 2"}, folder / "a.exr");
     render::writePicture(result, {"metamarch 0", "ball.glb", view}, folder / "a.PNG");
     const Image exr = readImage(folder / "a.exr");
-    std::map<std::string, std::string> header(exr.attributes.begin(), exr.attributes.end());
+    std::map<std::string, std::string> header; // its texts
+    for (const auto& [name, value] : exr.attributes) {
+        if (const auto* const text = std::get_if<std::string>(&value)) {
+            header[name] = *text;
+        }
+    }
     EXPECT_EQ(header["Software"], "metamarch 0");
     EXPECT_EQ(header["metamarch/scene"], "ball.glb");
     EXPECT_EQ(header["metamarch/device"], result.device);
