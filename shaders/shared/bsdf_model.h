@@ -231,9 +231,44 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     return bsdf;
 }
 
+// Sets the remaining members where nothing but diffuse lobes exists, to the bits that makeBsdf would compute.
+SHARED_FN Bsdf diffuseBsdf(const Bsdf plain) {
+    Bsdf bsdf = plain;
+    const vec3 albedo = plain.diffuseColor + plain.diffuseThroughColor;
+    const float whole = luminance(albedo);
+    const float perLobe = whole > 0.0f ? 1.0f / whole : 0.0f;
+    const float pDiffuse = luminance(plain.diffuseColor) * perLobe;
+    const float pDiffuseThrough = luminance(plain.diffuseThroughColor) * perLobe;
+    bsdf.coverLow = 0.0f;
+    bsdf.coverHigh = 0.0f;
+    bsdf.coverMultiple = 0.0f;
+    bsdf.diffuseOut = 1.0f;
+    bsdf.dielectricGain = 1.0f;
+    bsdf.throughGain = 1.0f;
+    bsdf.multiple = vec3(0.0f);
+    bsdf.multipleThrough = 0.0f;
+    bsdf.baseScale = 1.0f;
+    bsdf.sheenColor = vec3(0.0f);
+    bsdf.sheenRoughness = 1.0f;
+    bsdf.coat.albedo = 0.0f;
+    bsdf.coat.isSmooth = true;
+    bsdf.pBase = 0.0f;
+    bsdf.pDiffuse = pDiffuse;
+    bsdf.pDiffuseThrough = pDiffuseThrough;
+    bsdf.pCoat = 0.0f;
+    bsdf.albedo = albedo;
+    bsdf.emissionScale = 1.0f;
+    bsdf.isDelta = pDiffuse == 0.0f && pDiffuseThrough == 0.0f;
+    return bsdf;
+}
+
 // Call it once per hit. `wo` has unit length, is in world space and points away from the surface.
 SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame, const vec3 wo) {
-    Bsdf bsdf = plainBsdf(material, frame, wo);
+    const Bsdf plain = plainBsdf(material, frame, wo);
+    if (!hasFeature(kFeatureFacets | kFeatureCoat)) {
+        return diffuseBsdf(plain);
+    }
+    Bsdf bsdf = plain;
     const float cosOut = bsdf.wo.z;
     const float dielectricPart = 1.0f - bsdf.metallic;
     const bool isInside = (material.flags & kSurfaceVolume) != 0u && frame.isBack != 0u;

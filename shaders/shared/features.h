@@ -35,7 +35,8 @@ const uint kFeatureEnvironment = 1u << 17u; // an environment map, not only a co
 const uint kFeatureFacets = 1u << 18u;      // the base reflects or refracts, or there is sheen
 const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter depends on the size of a pixel in texels
 const uint kFeatureFurtherSets = 1u << 20u; // more than two sets of texture coordinates
-const uint kFirstFreeFeature = 1u << 21u;
+const uint kFeatureNormals = 1u << 21u;     // vertices with normals
+const uint kFirstFreeFeature = 1u << 22u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES

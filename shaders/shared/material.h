@@ -166,6 +166,9 @@ SHARED_FN vec3 mappedNormal(SCENE_PARAMETER const uint textureId, const float sc
 SHARED_FN SurfaceFrame surfaceFrame(SCENE_PARAMETER const MaterialRecord record, const Surface surface,
                                     const vec3 weights, const TexturePoint at, const vec3 geometricNormal,
                                     const vec3 wo) {
+    if (!hasFeature(SCENE kFeatureNormals | kFeatureNormalMaps | kFeatureAnisotropy)) {
+        return makeFlatFrame(geometricNormal, wo);
+    }
     const vec3 n0 = loadVertexNormal(SCENE surface.vertex0);
     const vec3 n1 = loadVertexNormal(SCENE surface.vertex1);
     const vec3 n2 = loadVertexNormal(SCENE surface.vertex2);

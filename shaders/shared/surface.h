@@ -72,6 +72,25 @@ SHARED_FN vec3 bendNormal(const vec3 normal, const vec3 geometricNormal, const v
     return isBent ? unitVector(halfVector) : turned;
 }
 
+// Returns what makeSurfaceFrame returns for a flat surface without normal maps or tangents.
+SHARED_FN SurfaceFrame makeFlatFrame(const vec3 geometricNormal, const vec3 wo) {
+    const bool isBack = dotProduct(geometricNormal, wo) < 0.0f;
+    const vec3 facing = isBack ? -geometricNormal : geometricNormal;
+    const Basis any = basisAround(facing);
+    SurfaceFrame frame;
+    frame.normal = facing;
+    frame.isBack = isBack ? 1u : 0u;
+    frame.tangent = any.tangent;
+    frame.bitangent = crossProduct(facing, any.tangent);
+    frame.coatNormal = facing;
+    frame.geometricNormal = facing;
+    frame.padding0 = 0u;
+    frame.padding1 = 0u;
+    frame.padding2 = 0u;
+    frame.padding3 = 0u;
+    return frame;
+}
+
 // All vectors have unit length. `wo` points to where the ray came from; `geometricNormal` points out of the
 // triangle's front. `tangent` is the direction of greatest anisotropic roughness and may be zero.
 SHARED_FN SurfaceFrame makeSurfaceFrame(const vec3 geometricNormal, const vec3 shadingNormal,

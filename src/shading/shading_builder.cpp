@@ -89,6 +89,9 @@ void addSurfaces(const Scene& scene, ShadingScene& target) {
         target.surfaces.push_back({corners.x, corners.y, corners.z, materialOf(scene, i)});
     }
     const auto count = static_cast<std::uint32_t>(scene.positions.size());
+    const bool hasNormals =
+        std::ranges::any_of(scene.normals, [](const glm::vec3& normal) { return normal != glm::vec3(0.0f); });
+    target.features |= hasNormals ? kFeatureNormals : 0u;
     const bool hasFurther = (target.features & kFeatureFurtherSets) != 0u;
     const auto addPair = [&](const std::vector<glm::vec2>& first, const std::vector<glm::vec2>& second,
                              const bool isFurther) {
