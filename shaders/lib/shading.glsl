@@ -121,5 +121,5 @@ TableEntry loadTableEntry(const uint i) {
     const uvec4 words = LOAD4(tableWords, i);
     return TableEntry(uintBitsToFloat(words.x), uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);
 }
-vec3 loadEnvironment(const uint i) { return uintBitsToFloat(LOAD4(environmentWords, i).xyz); }
+vec4 loadEnvironment(const uint i) { return uintBitsToFloat(LOAD4(environmentWords, i)); }
 #endif

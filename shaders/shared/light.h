@@ -13,6 +13,11 @@ SHARED_FN float powerHeuristic(const float own, const float other) {
     return 1.0f / (1.0f + ratio * ratio);
 }
 
+// The same, for a technique whose density was made for this weight: see weighted_table.cpp.
+SHARED_FN float balanceHeuristic(const float own, const float other) {
+    return 1.0f / (1.0f + min(other / max(own, 1e-30f), 1e18f));
+}
+
 // One entry of a table that samples a discrete distribution by inverting its cumulative distribution, which
 // preserves the stratification of u. The search starts at the guide: H. Chen, Y. Asau, "On Generating Random
 // Variates from an Empirical Distribution", AIIE Transactions 6(2), 1974.
@@ -34,6 +39,14 @@ SHARED_FN uint guideSlot(const float u, const uint count) { return min(uint(u * 
 SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, const float u) {
     const float uRemapped = (u - entry.from) / (entry.upTo - entry.from);
     return TableChoice(index, entry.probability, min(max(uRemapped, 0.0f), 0.99999994f));
+}
+
+// Returns a number in [0, 1] with a density that goes linearly from `atStart` at 0 to `atEnd` at 1. Both are
+// at least 0, and their squares are finite; u is in [0, 1).
+SHARED_FN float sampleLinear(const float atStart, const float atEnd, const float u) {
+    const float density = sqrt(blend(atStart * atStart, atEnd * atEnd, u)); // at the result
+    const float twiceMean = atStart + density;
+    return twiceMean > 0.0f ? min(u * (atStart + atEnd) / twiceMean, 1.0f) : u;
 }
 
 // Returns the barycentric weights of a point that is uniform in the triangle's area. E. Heitz, "A

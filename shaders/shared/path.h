@@ -34,6 +34,7 @@ struct Path {
     vec3 radiance;
     vec3 gained;  // the part of radiance that the last surface or the surroundings added
     uint channel; // colour channel that a dispersive volume has chosen; kNoChannel: none yet
+    uint bin;     // of the surface that the ray has left, for the density of light sampling
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
     Media media;  // used with kFeatureVolume
@@ -58,8 +59,8 @@ struct PathStep {
 };
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
-    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel, true, cone,
-                media);
+    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel, kAnyNormal,
+                true, cone, media);
 }
 
 // Returns the first ray of a sample as a path.
@@ -132,20 +133,29 @@ SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended
     return addSampleLight(sum, ended.path.radiance, ended.light);
 }
 
+// Returns the weight of a technique with density `own` beside one with density `other`. The tables of the
+// environment map leave to BSDF sampling what it finds anyway, for which the balance heuristic is best; for
+// all other lights it has more noise.
+SHARED_FN float misWeight(const float own, const float other, const bool isMap) {
+    return isMap ? balanceHeuristic(own, other) : powerHeuristic(own, other);
+}
+
 // Returns the weight of light that BSDF sampling found with density `own`. `other` is the density with which
 // light sampling finds it; it is 0 if light sampling cannot find it.
-SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other) {
+SHARED_FN float foundWeight(const PathSettings settings, const float own, const float other,
+                            const bool isMap) {
     const bool isOnlyWay = other == 0.0f || own >= kCertain;
     const bool byLights = (settings.strategies & kSampleLights) != 0u;
     const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
-    return isOnlyWay || !byLights ? 1.0f : byBsdf ? powerHeuristic(own, other) : 0.0f;
+    return isOnlyWay || !byLights ? 1.0f : byBsdf ? misWeight(own, other, isMap) : 0.0f;
 }
 
 // Returns the weight of light that light sampling found with density `own`, which is 0 for lights that rays
 // cannot hit. `other` is the density with which BSDF sampling finds it.
-SHARED_FN float sampledWeight(const PathSettings settings, const float own, const float other) {
+SHARED_FN float sampledWeight(const PathSettings settings, const float own, const float other,
+                              const bool isMap) {
     const bool byBsdf = (settings.strategies & kSampleBsdf) != 0u;
-    return own == 0.0f || !byBsdf ? 1.0f : powerHeuristic(own, other);
+    return own == 0.0f || !byBsdf ? 1.0f : misWeight(own, other, isMap);
 }
 
 // Limits the luminance of one contribution to settings.clampLuminance. It is not used for light that the
@@ -169,14 +179,14 @@ SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord trian
 
 // Ends a path whose ray hits no triangle.
 SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Path path) {
-    const EnvironmentLight light = environmentLight(SCENE settings, path.dir);
-    vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf);
+    const EnvironmentLight light = environmentLight(SCENE settings, path.dir, path.bin);
+    vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf, true);
     if (hasFeature(SCENE kFeatureLights) && settings.sunIndex != kNoSun) {
         const LightRecord sun = loadLight(SCENE settings.sunIndex);
         const float probability = loadTableEntry(SCENE settings.emitterCount + settings.sunIndex).probability;
         const float density = probability / (kTwoPi * sun.scale);
-        gain =
-            gain + sun.strength * (hitsDisc(sun, path.dir) ? foundWeight(settings, path.pdf, density) : 0.0f);
+        gain = gain + sun.strength *
+                          (hitsDisc(sun, path.dir) ? foundWeight(settings, path.pdf, density, false) : 0.0f);
     }
     Path ended = path;
     const vec3 whole = path.throughput * gain;
@@ -208,14 +218,25 @@ SHARED_FN vec3 transmittance(SCENE_PARAMETER const uint medium, const float dist
     return left;
 }
 
+// Returns the bin of a surface.
+SHARED_FN uint lightBin(SCENE_PARAMETER const Bsdf bsdf) {
+    if (!hasFeature(SCENE kFeatureEnvironment)) {
+        return kAnyNormal;
+    }
+    const vec3 through = bsdf.throughColor + bsdf.diffuseThroughColor;
+    const bool isTransmissive =
+        hasFeature(kFeatureTransmission | kFeatureDiffuseTransmission) && largest(through) > 0.0f;
+    return isTransmissive ? kAnyNormal : normalBin(bsdf.frame.normal);
+}
+
 // `ahead` and `behind` are the media on the side of the path and on the other side of the surface.
 SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, const Path path,
-                                 const Bsdf bsdf, const SurfacePoint point, const uint ahead,
+                                 const Bsdf bsdf, const SurfacePoint point, const uint bin, const uint ahead,
                                  const uint behind, const PixelSample at) {
     const vec2 u = sample2d(at, bounceDimension(path.bounce, kBounceLight));
-    const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, u);
+    const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, bin, u);
     const BsdfValue found = evalBsdf(bsdf, light.wi);
-    const float weight = sampledWeight(settings, light.pdf, found.pdf);
+    const float weight = sampledWeight(settings, light.pdf, found.pdf, light.isMap);
     const vec3 origin = offsetPoint(point, light.wi);
     const vec3 dir = light.isFar ? light.wi : light.end - origin;
     vec3 arriving = light.arriving;
@@ -235,7 +256,7 @@ SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), 
 // Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
 // cone at the surface.
 SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint medium, const Bsdf bsdf,
-                       const SurfacePoint point, const float width, const PixelSample at) {
+                       const SurfacePoint point, const uint bin, const float width, const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
                                         sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
     const float radianceScale = path.radianceScale * drawn.radianceScale;
@@ -256,6 +277,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint 
     next.throughput = throughput;
     next.radianceScale = radianceScale;
     next.bounce = path.bounce + 1u;
+    next.bin = bin;
     next.isAlive = kept > 0.0f && survives;
     next.cone = scatteredCone(path.cone, width, next.pdf);
     if (hasFeature(kFeatureVolume)) {
@@ -333,7 +355,8 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
         const float density = solidAngleDensity(record.emissionDensity, t * t, cosine);
         const vec3 emitted = record.emission * xyz(lookUp(SCENE record.emissionTexture, uv));
-        gain = emitted * (isShown ? bsdf.emissionScale * foundWeight(settings, path.pdf, density) : 0.0f);
+        gain =
+            emitted * (isShown ? bsdf.emissionScale * foundWeight(settings, path.pdf, density, false) : 0.0f);
     }
     const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
     const vec3 arrived = path.radiance;
@@ -341,12 +364,13 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     path.radiance = arrived + path.gained;
 
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
+    const uint bin = lightBin(SCENE bsdf);
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
-        shadow = sampleLights(SCENE settings, path, bsdf, point, path.media.first, behind, at);
+        shadow = sampleLights(SCENE settings, path, bsdf, point, bin, path.media.first, behind, at);
         shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed;
     }
-    Path next = scatter(path, record, medium, bsdf, point, width, at);
+    Path next = scatter(path, record, medium, bsdf, point, bin, width, at);
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
         next.radiance = arrived;

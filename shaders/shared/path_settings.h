@@ -29,12 +29,12 @@ struct PathSettings {
     float environmentCosine;      // of the map's rotation around y
     float environmentSine;
     float environmentScale;
-    float clampLuminance; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
-    uint sunIndex;        // index of the kLightDisc among the punctual lights, which rays see; kNoSun: none
-    Media eyeMedia;       // what the camera's eye is inside of
+    float clampLuminance;  // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
+    uint sunIndex;         // index of the kLightDisc among the punctual lights, which rays see; kNoSun: none
+    Media eyeMedia;        // what the camera's eye is inside of
+    uint blockColumnShift; // log2 of the columns of cells in a block of the map
+    uint blockRowShift;
     uint padding0;
-    uint padding1;
-    uint padding2;
 };
 const uint kNoSun = 0xffffffffu;
 

@@ -10,12 +10,24 @@
 
 SHARED_BEGIN
 
-// The tables are stored one after another: one for all lights, one for the map's rows, and one for the
-// columns of each row.
-SHARED_FN uint firstRow(const PathSettings settings) { return settings.lightCount; }
+// The tables are stored one after another: one for all lights; for each bin of normals, one for the map's
+// blocks; for each column of blocks, those for the rows of its blocks; for each row of cells, those for the
+// columns of its blocks. In a table of blocks, `probability` is the factor of bin and block.
+SHARED_FN uint firstBlock(const PathSettings settings, const uint bin) {
+    return settings.lightCount + bin * kMapBlocks;
+}
+
+SHARED_FN uint firstRow(const PathSettings settings, const uint blockColumn) {
+    return firstBlock(settings, kAnyNormal + 1u) + blockColumn * (settings.environmentHeight + 1u);
+}
 
 SHARED_FN uint firstColumn(const PathSettings settings, const uint row) {
-    return settings.lightCount + settings.environmentHeight + row * settings.environmentWidth;
+    return firstRow(settings, kBlocksAcross) + row * settings.environmentWidth;
+}
+
+SHARED_FN uint blockOf(const PathSettings settings, const MapPlace place) {
+    return ((place.row >> settings.blockRowShift) << kBlockRowShift) +
+           (place.column >> settings.blockColumnShift);
 }
 
 // Samples the table of `count` entries that begins at entry `first`.
@@ -47,25 +59,15 @@ SHARED_FN vec3 turnedToMap(const PathSettings settings, const vec3 direction) {
                 direction.z * settings.environmentCosine + direction.x * settings.environmentSine);
 }
 
-// Bilinear look-up; wraps in u and clamps at the poles in v.
-SHARED_FN vec3 environmentAt(SCENE_PARAMETER const PathSettings settings, const vec2 point) {
+// Loads the texels around a cell; see MapPlace.
+SHARED_FN MapCorners loadMapCorners(SCENE_PARAMETER const PathSettings settings, const uint column,
+                                    const uint row) {
     const uint width = settings.environmentWidth;
-    const uint height = settings.environmentHeight;
-    const float x = point.x * float(width) - 0.5f;
-    const float y = point.y * float(height) - 0.5f;
-    const float left = floor(x);
-    const float top = floor(y);
-    const float right = x - left;
-    const float down = y - top;
-    const uint x0 = uint(wrapped(int(left), int(width), kWrapRepeat));
-    const uint x1 = uint(wrapped(int(left) + 1, int(width), kWrapRepeat));
-    const uint y0 = uint(wrapped(int(top), int(height), kWrapClamp)) * width;
-    const uint y1 = uint(wrapped(int(top) + 1, int(height), kWrapClamp)) * width;
-    const vec3 upper =
-        loadEnvironment(SCENE y0 + x0) * (1.0f - right) + loadEnvironment(SCENE y0 + x1) * right;
-    const vec3 lower =
-        loadEnvironment(SCENE y1 + x0) * (1.0f - right) + loadEnvironment(SCENE y1 + x1) * right;
-    return upper * (1.0f - down) + lower * down;
+    const uint x1 = column + 1u == width ? 0u : column + 1u;
+    const uint y0 = (max(row, 1u) - 1u) * width;
+    const uint y1 = min(row, settings.environmentHeight - 1u) * width;
+    return MapCorners(loadEnvironment(SCENE y0 + column), loadEnvironment(SCENE y0 + x1),
+                      loadEnvironment(SCENE y1 + column), loadEnvironment(SCENE y1 + x1));
 }
 
 struct EnvironmentLight {
@@ -73,39 +75,48 @@ struct EnvironmentLight {
     float pdf; // of sampleSceneLight, per solid angle
 };
 
-// Returns the radiance from `direction` (unit length) if nothing occludes it.
-SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings settings,
-                                            const vec3 direction) {
+// Returns the radiance from `direction` (unit length) if nothing occludes it. `bin` is that of the surface
+// which the ray has left.
+SHARED_FN EnvironmentLight environmentLight(SCENE_PARAMETER const PathSettings settings, const vec3 direction,
+                                            const uint bin) {
     if (!hasFeature(SCENE kFeatureEnvironment)) {
         return EnvironmentLight(settings.background, 0.0f);
     }
     const vec3 inMap = turnedToMap(settings, direction);
-    const vec2 point = mapPoint(inMap);
-    const vec3 radiance = environmentAt(SCENE settings, point) * settings.environmentScale;
+    const MapPlace place = mapPlace(mapPoint(inMap), settings.environmentWidth, settings.environmentHeight);
+    const vec4 texel =
+        filteredTexel(loadMapCorners(SCENE settings, place.column, place.row), place.right, place.down);
     float pdf = 0.0f;
     if (hasFeature(SCENE kFeatureLights)) {
-        const uint column =
-            min(uint(point.x * float(settings.environmentWidth)), settings.environmentWidth - 1u);
-        const uint row =
-            min(uint(point.y * float(settings.environmentHeight)), settings.environmentHeight - 1u);
-        const TableEntry rowEntry = loadTableEntry(SCENE firstRow(settings) + row);
-        const TableEntry columnEntry = loadTableEntry(SCENE firstColumn(settings, row) + column);
-        pdf = settings.environmentProbability * mapDensity(rowEntry.probability, columnEntry.probability,
-                                                           settings.environmentWidth,
-                                                           settings.environmentHeight, mapSine(inMap));
+        const float factor =
+            loadTableEntry(SCENE firstBlock(settings, bin) + blockOf(settings, place)).probability;
+        pdf = settings.environmentProbability * mapDensity(texel.w * factor, mapSine(inMap));
     }
-    return EnvironmentLight(radiance, pdf);
+    return EnvironmentLight(xyz(texel) * settings.environmentScale, pdf);
 }
 
-SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings settings, const vec2 u) {
-    const TableChoice row = chooseFromTable(SCENE firstRow(settings), settings.environmentHeight, u.y);
-    const TableChoice column =
-        chooseFromTable(SCENE firstColumn(settings, row.index), settings.environmentWidth, u.x);
-    const vec2 point = mapPointIn(row, column, settings.environmentWidth, settings.environmentHeight);
-    const vec3 inMap = mapDirection(point);
-    const float density = mapDensity(row.probability, column.probability, settings.environmentWidth,
-                                     settings.environmentHeight, mapSine(inMap));
-    const vec3 radiance = environmentAt(SCENE settings, point) * settings.environmentScale;
+// `bin` is that of the surface.
+SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings settings, const uint bin,
+                                        const vec2 u) {
+    const TableChoice block = chooseFromTable(SCENE firstBlock(settings, bin), kMapBlocks, u.y);
+    const uint blockColumn = block.index & (kBlocksAcross - 1u);
+    const uint startColumn = blockColumn << settings.blockColumnShift;
+    const uint startRow = (block.index >> kBlockRowShift) << settings.blockRowShift;
+    const uint rowCount = min(1u << settings.blockRowShift, settings.environmentHeight + 1u - startRow);
+    const uint columnCount = min(1u << settings.blockColumnShift, settings.environmentWidth - startColumn);
+    const TableChoice inRows =
+        chooseFromTable(SCENE firstRow(settings, blockColumn) + startRow, rowCount, block.uRemapped);
+    const uint row = startRow + inRows.index;
+    const TableChoice inColumns =
+        chooseFromTable(SCENE firstColumn(settings, row) + startColumn, columnCount, u.x);
+    const uint column = startColumn + inColumns.index;
+    const MapCorners corners = loadMapCorners(SCENE settings, column, row);
+    const MapPlace place = samplePlace(corners, column, row, settings.environmentHeight,
+                                       vec2(inColumns.uRemapped, inRows.uRemapped));
+    const vec4 texel = filteredTexel(corners, place.right, place.down);
+    const vec3 inMap = mapDirection(mapPointOf(place, settings.environmentWidth, settings.environmentHeight));
+    const float density = mapDensity(texel.w * block.probability, mapSine(inMap));
+    const vec3 radiance = xyz(texel) * settings.environmentScale;
     const vec3 arriving = density > 0.0f ? radiance / density : vec3(0.0f);
     return LightSample(turnedFromMap(settings, inMap), kFarLight, arriving, density);
 }
@@ -117,6 +128,7 @@ struct SceneLightSample {
     bool isFar;
     vec3 arriving; // divided by the pdf of this sample
     float pdf;     // per solid angle; 0 if only light sampling can find the light
+    bool isMap;    // it comes from the environment map
 };
 
 // Samples the light that an emitter sends from one of its points, before visibility.
@@ -143,16 +155,17 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
     const bool isSeen = cosine > 0.0f || (material.flags & kMaterialDoubleSided) != 0u;
     const float pdf = solidAngleDensity(material.emissionDensity, squaredDistance, cosine);
     const vec3 arriving = isSeen && pdf > 0.0f ? radiance / pdf : vec3(0.0f);
-    return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf);
+    return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf, false);
 }
 
+// `bin` is that of the surface at `point`.
 SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings, const vec3 point,
-                                            const vec2 u) {
+                                            const uint bin, const vec2 u) {
     const TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u.x);
     const vec2 uPoint = vec2(choice.uRemapped, u.y);
     const uint firstPunctual = settings.emitterCount;
     const uint environment = settings.emitterCount + settings.punctualCount;
-    SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f);
+    SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f, false);
     if (hasFeature(SCENE kFeatureEmission) && choice.index < firstPunctual) {
         result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), point, uPoint);
     }
@@ -160,13 +173,13 @@ SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings s
         const LightSample light = sampleLight(loadLight(SCENE choice.index - firstPunctual), point, uPoint);
         const bool isFar = light.distance == kFarLight;
         result = SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
-                                  light.arriving / choice.probability, light.pdf * choice.probability);
+                                  light.arriving / choice.probability, light.pdf * choice.probability, false);
     }
     if (hasFeature(SCENE kFeatureEnvironment) && choice.index == environment) {
-        const LightSample light = sampleEnvironment(SCENE settings, uPoint);
+        const LightSample light = sampleEnvironment(SCENE settings, bin, uPoint);
         const float probability = settings.environmentProbability;
-        result =
-            SceneLightSample(light.wi, point, true, light.arriving / probability, light.pdf * probability);
+        result = SceneLightSample(light.wi, point, true, light.arriving / probability,
+                                  light.pdf * probability, true);
     }
     return result;
 }

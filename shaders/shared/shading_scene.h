@@ -24,9 +24,10 @@ struct ShadingScene {
     std::array<std::vector<std::uint32_t>, kTexelChunks> texels;
     std::vector<Emitter> emitters;
     std::vector<LightRecord> lights;
-    std::vector<glm::vec4> environment; // rgb of the map's texels, with kFeatureEnvironment
-    // One table for emitters, lights and environment map together, one for the map's rows, and one for the
-    // columns of each row.
+    // The map's texels, with kFeatureEnvironment: radiance in rgb, the weight for sampling in a.
+    std::vector<glm::vec4> environment;
+    // One table for emitters, lights and environment map together, one for the map's rows of cells, and one
+    // for the columns of each row.
     std::vector<TableEntry> tables;
     PathSettings settings{}; // the scene sets the members about lights
 };
@@ -59,8 +60,6 @@ inline std::uint32_t loadTexel(const ShadingScene& scene, const uint chunk, cons
 inline Emitter loadEmitter(const ShadingScene& scene, const uint i) { return scene.emitters[i]; }
 inline LightRecord loadLight(const ShadingScene& scene, const uint i) { return scene.lights[i]; }
 inline TableEntry loadTableEntry(const ShadingScene& scene, const uint i) { return scene.tables[i]; }
-inline glm::vec3 loadEnvironment(const ShadingScene& scene, const uint i) {
-    return glm::vec3(scene.environment[i]);
-}
+inline glm::vec4 loadEnvironment(const ShadingScene& scene, const uint i) { return scene.environment[i]; }
 
 } // namespace metamarch

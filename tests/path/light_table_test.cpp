@@ -66,6 +66,7 @@ TEST(PathLightTable, densityTimesAreaIsTheShareOfAMaterial) {
 // The integral of the map's density over the sphere is the probability that light sampling chooses the map.
 TEST(PathLightTable, densityOfTheMapIsAShareToo) {
     const ShadingScene shading = shadingOf(manyLights());
+    const uint bin = normalBin(glm::vec3(0.0f, 0.6f, 0.8f));
     constexpr int kRows = 512;
     double sum = 0.0;
     for (int y = 0; y < kRows; ++y) {
@@ -74,7 +75,7 @@ TEST(PathLightTable, densityOfTheMapIsAShareToo) {
             const double azimuth = std::numbers::pi * (x + 0.5) / kRows;
             const glm::vec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                                       std::sin(polar) * std::sin(azimuth));
-            sum += environmentLight(shading, shading.settings, direction).pdf * std::sin(polar);
+            sum += environmentLight(shading, shading.settings, direction, bin).pdf * std::sin(polar);
         }
     }
     sum *= std::numbers::pi / kRows * std::numbers::pi / kRows;
@@ -87,19 +88,20 @@ TEST(PathLightTable, bothWaysNameTheSameDensity) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> even(0.0f, 1.0f);
     const glm::vec3 point(0.3f, 0.1f, 0.7f);
+    const uint bin = normalBin(glm::vec3(0.0f, 0.8f, 0.6f));
     int emitters = 0;
     int far = 0;
     int atEdge = 0;
     for (int i = 0; i < 20'000; ++i) {
         const glm::vec2 u(std::min(even(random), 0.99999994f), even(random));
-        const SceneLightSample sample = sampleSceneLight(shading, shading.settings, point, u);
+        const SceneLightSample sample = sampleSceneLight(shading, shading.settings, point, bin, u);
         ASSERT_NEAR(glm::length(sample.wi), 1.0f, 1e-5f);
         if (sample.pdf == 0.0f) {
             continue; // a point light
         }
         if (sample.isFar) {
             const LightRecord& sun = shading.lights[shading.settings.sunIndex];
-            const float inMap = environmentLight(shading, shading.settings, sample.wi).pdf;
+            const float inMap = environmentLight(shading, shading.settings, sample.wi, bin).pdf;
             const float chance =
                 shading.tables[shading.settings.emitterCount + shading.settings.sunIndex].probability;
             const float ofSun = chance / (kTwoPi * sun.scale);
@@ -135,20 +137,23 @@ TEST(PathLightTable, weightsOfBothWaysSumToOne) {
     for (int i = 0; i < 10'000; ++i) {
         const float byBsdf = std::pow(10.0f, exponent(random));
         const float byLights = std::pow(10.0f, exponent(random));
-        ASSERT_NEAR(foundWeight(settings, byBsdf, byLights) + sampledWeight(settings, byLights, byBsdf), 1.0f,
-                    1e-6f)
-            << byBsdf << " " << byLights;
+        for (const bool isMap : {false, true}) {
+            ASSERT_NEAR(foundWeight(settings, byBsdf, byLights, isMap) +
+                            sampledWeight(settings, byLights, byBsdf, isMap),
+                        1.0f, 1e-6f)
+                << byBsdf << " " << byLights;
+        }
     }
-    EXPECT_EQ(foundWeight(settings, kCertain, 1.0f), 1.0f); // seen by the camera or in a mirror
-    EXPECT_EQ(foundWeight(settings, 1.0f, 0.0f), 1.0f);     // unknown to light sampling
-    EXPECT_EQ(sampledWeight(settings, 0.0f, 1.0f), 1.0f);   // a point light
-    EXPECT_EQ(sampledWeight(settings, 1.0f, 0.0f), 1.0f);
+    EXPECT_EQ(foundWeight(settings, kCertain, 1.0f, true), 1.0f); // seen by the camera or in a mirror
+    EXPECT_EQ(foundWeight(settings, 1.0f, 0.0f, true), 1.0f);     // unknown to light sampling
+    EXPECT_EQ(sampledWeight(settings, 0.0f, 1.0f, true), 1.0f);   // a point light
+    EXPECT_EQ(sampledWeight(settings, 1.0f, 0.0f, true), 1.0f);
 
     settings.strategies = kSampleLights;
-    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f) + sampledWeight(settings, 2.0f, 1.0f), 1.0f);
-    EXPECT_EQ(foundWeight(settings, kCertain, 2.0f), 1.0f);
+    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f, true) + sampledWeight(settings, 2.0f, 1.0f, true), 1.0f);
+    EXPECT_EQ(foundWeight(settings, kCertain, 2.0f, true), 1.0f);
     settings.strategies = kSampleBsdf;
-    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f), 1.0f); // there is no light sampling
+    EXPECT_EQ(foundWeight(settings, 1.0f, 2.0f, true), 1.0f); // there is no light sampling
 }
 
 } // namespace

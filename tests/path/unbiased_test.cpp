@@ -106,7 +106,8 @@ PathScene quadsOverFloor() {
     return made;
 }
 
-// Returns two balls under an environment map with a bright patch and a lamp; both are in the light table.
+// Returns two balls under an environment map with a bright patch and a lamp; both are in the light table. The
+// map's tables leave all but the patch to BSDF sampling, also where only lights are sampled.
 PathScene ballsUnderMap() {
     PathScene made;
     Scene& scene = made.scene;
@@ -120,7 +121,7 @@ PathScene ballsUnderMap() {
     for (std::uint32_t y = 0; y < map.height; ++y) {
         for (std::uint32_t x = 0; x < map.width; ++x) {
             const bool isBright = y >= 3 && y < 6 && x >= 20 && x < 24;
-            map.texels.push_back(isBright ? glm::vec3(30, 20, 10)
+            map.texels.push_back(isBright ? glm::vec3(60, 40, 20)
                                           : glm::vec3(0.2f, 0.4f, 0.05f * static_cast<float>(16 - y)));
         }
     }

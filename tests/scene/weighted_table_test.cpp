@@ -113,59 +113,103 @@ Environment flat(std::uint32_t width, std::uint32_t height, float radiance) {
     return map;
 }
 
-TEST(EnvironmentTables, drawTheWholeSphereAlikeWhereTheLightIs) {
-    const Environment map = flat(6, 5, 2.5f);
+// Returns the probability of each cell without the surface's normal: the mean of its corners' weights.
+float cellWeight(const Environment& map, const EnvironmentTables& tables, std::uint32_t row,
+                 std::uint32_t x) {
+    const auto at = [&](std::uint32_t column, std::uint32_t y) {
+        return tables.weights[std::size_t{y} * map.width + column % map.width];
+    };
+    const std::uint32_t upper = std::max(row, 1u) - 1;
+    const std::uint32_t lower = std::min(row, map.height - 1);
+    const float part = row == 0 || row == map.height ? 0.5f : 1.0f;
+    return 0.25f * part * (at(x, upper) + at(x + 1, upper) + at(x, lower) + at(x + 1, lower));
+}
+
+// The three tables together draw each cell by its weight.
+TEST(EnvironmentTables, drawCellsByTheirWeights) {
+    Environment map = flat(50, 21, 0.5f);
+    for (std::size_t i = 0; i < map.texels.size(); i += 7) {
+        map.texels[i] = glm::vec3(static_cast<float>(i % 13));
+    }
     const EnvironmentTables tables = makeEnvironmentTables(map);
-    ASSERT_EQ(tables.rows.size(), 5u);
-    ASSERT_EQ(tables.columns.size(), 30u);
-    for (std::size_t y = 0; y < 5; ++y) {
-        const double top = M_PI * static_cast<double>(y) / 5.0;
-        EXPECT_NEAR(tables.rows[y].probability, (std::cos(top) - std::cos(top + M_PI / 5.0)) / 2.0, 1e-7);
-        for (std::size_t x = 0; x < 6; ++x) {
-            EXPECT_FLOAT_EQ(tables.columns[y * 6 + x].probability, 1.0f / 6.0f);
+    const std::span any(&tables.blocks[std::size_t{kAnyNormal} * kMapBlocks], kMapBlocks);
+    double whole = 0.0;
+    for (std::uint32_t row = 0; row <= map.height; ++row) {
+        for (std::uint32_t x = 0; x < map.width; ++x) {
+            const std::uint32_t across = x >> tables.blockColumnShift;
+            const TableEntry& block = any[(row >> tables.blockRowShift) * kBlocksAcross + across];
+            const double drawn = static_cast<double>(block.upTo - block.from) *
+                                 tables.rows[across * (map.height + 1) + row].probability *
+                                 tables.columns[row * map.width + x].probability;
+            EXPECT_NEAR(drawn * 50 * 21, cellWeight(map, tables, row, x), 1e-4) << row << " " << x;
+            EXPECT_NEAR(block.probability, block.upTo > block.from ? 1.0f : 0.0f, 1e-5f);
+            whole += drawn;
+        }
+    }
+    EXPECT_NEAR(whole, 1.0, 1e-5);
+    EXPECT_NEAR(std::accumulate(tables.weights.begin(), tables.weights.end(), 0.0) / (50 * 21), 1.0, 1e-6);
+}
+
+// Away from the poles, the cells of a uniform map are drawn by their solid angles.
+TEST(EnvironmentTables, drawTheWholeSphereAlikeWhereTheLightIs) {
+    const Environment map = flat(6, 50, 2.5f);
+    const EnvironmentTables tables = makeEnvironmentTables(map);
+    for (std::uint32_t row = 1; row < 50; ++row) {
+        const double top = M_PI * (row - 0.5) / 50.0;
+        const double expected = 0.5 * (std::cos(top) - std::cos(top + M_PI / 50.0)) / 6.0;
+        EXPECT_NEAR(cellWeight(map, tables, row, 2) / 300.0, expected, 0.001 * expected) << row;
+    }
+}
+
+// The bilinear tent of a texel reaches the four cells around it, across the seam too.
+TEST(EnvironmentTables, spreadATexelOverItsCells) {
+    Environment map = flat(8, 8, 0.0f);
+    map.texels[3 * 8 + 0] = glm::vec3(1.0f);
+    const EnvironmentTables tables = makeEnvironmentTables(map);
+    EXPECT_EQ(tables.weights[3 * 8], 64.0f);
+    for (std::uint32_t row = 0; row < 9; ++row) {
+        for (std::uint32_t x = 0; x < 8; ++x) {
+            const bool isBeside = (row == 3 || row == 4) && (x == 0 || x == 7);
+            EXPECT_EQ(cellWeight(map, tables, row, x), isBeside ? 16.0f : 0.0f);
         }
     }
 }
 
-// The bilinear tent of a texel reaches all eight neighbours, across the seam too.
-TEST(EnvironmentTables, spreadATexelOverItsNeighbours) {
-    Environment map = flat(8, 8, 0.0f);
-    map.texels[3 * 8 + 0] = glm::vec3(1.0f);
-    const EnvironmentTables tables = makeEnvironmentTables(map);
-    for (std::size_t y = 0; y < 8; ++y) {
-        EXPECT_EQ(tables.rows[y].probability > 0.0f, y >= 2 && y <= 4) << y;
-    }
-    const auto column = [&](std::size_t y, std::size_t x) { return tables.columns[y * 8 + x].probability; };
-    for (std::size_t y = 2; y <= 4; ++y) {
-        EXPECT_FLOAT_EQ(column(y, 0), 0.75f);
-        EXPECT_FLOAT_EQ(column(y, 1), 0.125f);
-        EXPECT_FLOAT_EQ(column(y, 7), 0.125f);
-    }
+// A normal draws blocks by the cosine; those below its horizon not at all.
+TEST(EnvironmentTables, knowTheCosine) {
+    const EnvironmentTables tables = makeEnvironmentTables(flat(64, 32, 1.0f));
+    const std::span up(&tables.blocks[normalBin(vec3(0, 1, 0)) * kMapBlocks], kMapBlocks);
+    const auto chance = [&](std::uint32_t row) {
+        return up[row * kBlocksAcross].upTo - up[row * kBlocksAcross].from;
+    };
+    EXPECT_GT(chance(3), 0.0f);
+    EXPECT_EQ(chance(6), 0.0f);
+    EXPECT_GT(up[1 * kBlocksAcross].probability, 2.0f * up[3 * kBlocksAcross].probability);
+    EXPECT_EQ(up[6 * kBlocksAcross].probability, 0.0f);
 }
 
 TEST(EnvironmentTables, takeMapsOfOneTexelAndOfNoLight) {
     for (const float radiance : {0.0f, 1.0f, 1e30f}) {
         const EnvironmentTables tables = makeEnvironmentTables(flat(1, 1, radiance));
-        ASSERT_EQ(tables.rows.size(), 1u);
-        ASSERT_EQ(tables.columns.size(), 1u);
-        EXPECT_EQ(tables.rows[0].probability, 1.0f);
+        EXPECT_EQ(tables.weights, std::vector<float>{radiance > 0.0f ? 1.0f : 0.0f});
+        EXPECT_EQ(tables.columns.size(), 2u);
         EXPECT_EQ(tables.columns[0].probability, 1.0f);
     }
     const EnvironmentTables dark = makeEnvironmentTables(flat(4, 2, 0.0f));
-    EXPECT_EQ(dark.rows[0].probability, 0.5f);
-    EXPECT_EQ(dark.columns[5].probability, 0.25f);
+    EXPECT_EQ(dark.weights[3], 0.0f);
+    EXPECT_EQ(dark.columns[5].probability, 1.0f);
+    for (const TableEntry& entry : dark.blocks) {
+        EXPECT_EQ(entry.probability, 0.0f);
+    }
 }
 
 // If the luminance of 1e38 or the sum of a row overflowed, nothing could be drawn.
 TEST(EnvironmentTables, takeTheBrightestLightThereIs) {
     const EnvironmentTables tables = makeEnvironmentTables(flat(512, 4, 3e38f));
-    double all = 0.0;
-    for (const TableEntry& row : tables.rows) {
-        ASSERT_TRUE(std::isfinite(row.probability));
-        all += row.probability;
+    for (const TableEntry& block : tables.blocks) {
+        ASSERT_TRUE(std::isfinite(block.probability));
     }
-    EXPECT_NEAR(all, 1.0, 1e-6);
-    EXPECT_FLOAT_EQ(tables.columns[700].probability, 1.0f / 512.0f);
+    EXPECT_FLOAT_EQ(tables.columns[700].probability, 1.0f / 32.0f);
 }
 
 } // namespace

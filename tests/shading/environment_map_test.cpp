@@ -14,7 +14,7 @@ namespace metamarch {
 namespace {
 
 constexpr int kDraws = 60'000;
-constexpr int kTests = 2; // number of chi-square tests in this file
+constexpr int kTests = 4; // number of chi-square tests in this file
 
 TEST(EnvironmentMap, hasItsAxesWhereItSays) {
     const auto expectAt = [](vec3 direction, float u, float v) {
@@ -71,62 +71,107 @@ Environment brightTexel() {
     return map;
 }
 
+// A scene with no other light than a map.
 class DrawnMap {
   public:
-    explicit DrawnMap(const Environment& map)
-        : width_(map.width), height_(map.height), tables_(makeEnvironmentTables(map)) {
-        scene_.tables = tables_.rows;
-        scene_.tables.insert(scene_.tables.end(), tables_.columns.begin(), tables_.columns.end());
+    explicit DrawnMap(const Environment& map) {
+        const EnvironmentTables tables = makeEnvironmentTables(map);
+        for (std::size_t i = 0; i < map.texels.size(); ++i) {
+            scene_.environment.emplace_back(map.texels[i], tables.weights[i]);
+        }
+        scene_.tables = tables.blocks;
+        scene_.tables.insert(scene_.tables.end(), tables.rows.begin(), tables.rows.end());
+        scene_.tables.insert(scene_.tables.end(), tables.columns.begin(), tables.columns.end());
+        scene_.features = kFeatureEnvironment | kFeatureLights;
+        scene_.settings.blockColumnShift = tables.blockColumnShift;
+        scene_.settings.blockRowShift = tables.blockRowShift;
+        scene_.settings.environmentWidth = map.width;
+        scene_.settings.environmentHeight = map.height;
+        scene_.settings.environmentProbability = 1.0f;
+        scene_.settings.environmentCosine = 1.0f;
+        scene_.settings.environmentScale = 1.0f;
     }
 
-    struct Drawn {
-        vec3 direction;
-        double density;
-    };
-
-    Drawn draw(vec2 u) const {
-        const TableChoice row = chooseFromTable(scene_, 0, height_, u.y);
-        const TableChoice column = chooseFromTable(scene_, height_ + row.index * width_, width_, u.x);
-        const vec3 direction = mapDirection(mapPointIn(row, column, width_, height_));
-        return {direction, densityIn(column.index, row.index, direction)};
+    LightSample draw(vec2 u, uint bin = kAnyNormal) const {
+        return sampleEnvironment(scene_, scene_.settings, bin, u);
     }
 
-    double densityAt(vec3 direction) const {
-        const vec2 point = mapPoint(direction);
-        const uint x = std::min(static_cast<uint>(point.x * static_cast<float>(width_)), width_ - 1);
-        const uint y = std::min(static_cast<uint>(point.y * static_cast<float>(height_)), height_ - 1);
-        return densityIn(x, y, direction);
+    EnvironmentLight lightFrom(vec3 direction, uint bin = kAnyNormal) const {
+        return environmentLight(scene_, scene_.settings, direction, bin);
     }
 
   private:
-    double densityIn(uint x, uint y, vec3 direction) const {
-        return mapDensity(tables_.rows[y].probability, tables_.columns[y * width_ + x].probability, width_,
-                          height_, mapSine(direction));
-    }
-
-    uint width_;
-    uint height_;
-    EnvironmentTables tables_;
     ShadingScene scene_;
 };
 
+// Also where a normal sees a part of the map, and where blocks have one cell or many.
 TEST(EnvironmentMap, isDrawnByItsDensity) {
-    for (const Environment& map : {brightTexel(), flat(1, 1, vec3(1.0f))}) {
+    const auto expectDrawn = [](const Environment& map, const uint bin) {
         const DrawnMap drawn(map);
         std::mt19937 random(32);
         const auto draw = [&] {
             const float first = unitInterval(static_cast<uint>(random()));
-            return DrawnDirection{
-                true, drawn.draw(vec2(first, unitInterval(static_cast<uint>(random())))).direction};
+            const vec2 u(first, unitInterval(static_cast<uint>(random())));
+            return DrawnDirection{true, drawn.draw(u, bin).wi};
         };
-        const auto density = [&](vec3 direction) { return drawn.densityAt(direction); };
+        const auto density = [&](vec3 direction) {
+            return static_cast<double>(drawn.lightFrom(direction, bin).pdf);
+        };
         EXPECT_GT(chiSquareProbability(sphereHistogram(kDraws, draw, density)), significanceOf(kTests))
-            << map.width;
+            << map.width << " " << bin;
+    };
+    expectDrawn(brightTexel(), kAnyNormal);
+    expectDrawn(brightTexel(), normalBin(vec3(0, 1, 0)));
+    expectDrawn(flat(1, 1, vec3(1.0f)), kAnyNormal);
+    expectDrawn(flat(50, 30, vec3(1.0f)), normalBin(unitVector(vec3(1, -2, 3))));
+}
+
+// Each normal is in a bin of its own face, within the bin's angles.
+TEST(EnvironmentMap, everyNormalHasABin) {
+    std::mt19937 random(33);
+    std::normal_distribution<float> normal;
+    std::vector<vec3> means(kNormalBins, vec3(0.0f));
+    std::vector<vec3> normals;
+    for (int i = 0; i < 100'000; ++i) {
+        normals.push_back(unitVector(vec3(normal(random), normal(random), normal(random))));
+        const uint bin = normalBin(normals.back());
+        ASSERT_LT(bin, kNormalBins);
+        means[bin] += normals.back();
+    }
+    for (const vec3 n : normals) {
+        // The diagonal of the middle bins is the longest: 2 atan(sqrt(2) / 3) / 2.
+        ASSERT_GT(dotProduct(n, unitVector(means[normalBin(n)])), std::cos(0.45f));
+    }
+    for (const float x : {-1.0f, -0.0f, 0.0f, 1.0f}) {
+        for (const float y : {-1.0f, -0.0f, 0.0f, 1.0f}) {
+            EXPECT_LT(normalBin(unitVector(vec3(x, y, 1.0f))), kNormalBins);
+            EXPECT_LT(normalBin(unitVector(vec3(x, -1.0f, y))), kNormalBins);
+        }
+    }
+}
+
+// Half of a uniform map lies below the horizon of each surface; few samples go there.
+TEST(EnvironmentMap, isDrawnAboveTheSurface) {
+    const DrawnMap drawn(flat(256, 128, vec3(1.0f)));
+    for (const vec3 normal : {vec3(0, 1, 0), vec3(1, 0, 0), unitVector(vec3(-1, -1, 0.5f))}) {
+        int above = 0;
+        double sum = 0.0;
+        constexpr uint kSamples = 4096;
+        for (uint i = 0; i < kSamples; ++i) {
+            const vec2 u = sample2d(makePixelSample(0, 0, i, 3), 0);
+            const LightSample sample = drawn.draw(u, normalBin(normal));
+            const float cosine = dotProduct(sample.wi, normal);
+            above += cosine > 0.0f ? 1 : 0;
+            sum += std::max(cosine, 0.0f) * sample.arriving.x / kSamples;
+        }
+        EXPECT_GT(above, 0.9 * kSamples);
+        EXPECT_NEAR(sum, M_PI, 0.02 * M_PI); // the irradiance
     }
 }
 
 TEST(EnvironmentMap, densityIntegratesToOne) {
     const DrawnMap drawn(brightTexel());
+    const uint bin = normalBin(unitVector(vec3(1, 2, -1)));
     constexpr int kRows = 1024;
     constexpr int kColumns = 512;
     double sum = 0.0;
@@ -136,23 +181,53 @@ TEST(EnvironmentMap, densityIntegratesToOne) {
             const double azimuth = 2.0 * M_PI * (column + 0.5) / kColumns;
             const vec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                                  std::sin(polar) * std::sin(azimuth));
-            sum += drawn.densityAt(direction) * std::sin(polar) * (M_PI / kRows) * (2.0 * M_PI / kColumns);
+            sum += drawn.lightFrom(direction, bin).pdf * std::sin(polar) * (M_PI / kRows) *
+                   (2.0 * M_PI / kColumns);
         }
     }
     EXPECT_NEAR(sum, 1.0, 1e-5);
 }
 
-// A sample's pdf is the pdf of its direction, except where rounding moves it across a texel's border.
+// A sample's pdf is the pdf of its direction, and both see the same light.
 TEST(EnvironmentMap, samplesKnowTheirDensity) {
-    const DrawnMap drawn(brightTexel());
-    int different = 0;
-    for (uint i = 0; i < 20'000; ++i) {
-        const DrawnMap::Drawn sample =
-            drawn.draw(sample2d(makePixelSample(0, 0, i, 1), bounceDimension(0, kBounceLight)));
-        ASSERT_GT(sample.density, 0.0);
-        different += std::abs(drawn.densityAt(sample.direction) / sample.density - 1.0) > 1e-5 ? 1 : 0;
+    for (const Environment& map : {brightTexel(), flat(1, 1, vec3(1.0f)), flat(3, 1, vec3(2.0f))}) {
+        const DrawnMap drawn(map);
+        for (uint i = 0; i < 20'000; ++i) {
+            const LightSample sample =
+                drawn.draw(sample2d(makePixelSample(0, 0, i, 1), bounceDimension(0, kBounceLight)));
+            const EnvironmentLight found = drawn.lightFrom(sample.wi);
+            ASSERT_GT(sample.pdf, 0.0f);
+            // Near the poles and beside the bright texel the density changes most within a rounding error.
+            ASSERT_NEAR(found.pdf, sample.pdf, 1e-3f * sample.pdf) << i;
+            ASSERT_NEAR(found.radiance.x, sample.arriving.x * sample.pdf, 1e-3f * found.radiance.x) << i;
+        }
     }
-    EXPECT_LE(different, 2);
+}
+
+// The density follows the light less half of the map's mean. The weight contains the sine at the centres of
+// texels, so where only one row of them is bright, the two differ by at most the sine's change over a row.
+TEST(EnvironmentMap, densityFollowsTheFilteredLight) {
+    Environment map = flat(128, 64, vec3(0.5f));
+    map.texels[20 * 128 + 9] = glm::vec3(1000.0f);
+    map.texels[20 * 128 + 10] = glm::vec3(300.0f);
+    const DrawnMap drawn(map);
+    double light = 0.0;
+    double sines = 0.0;
+    for (std::size_t i = 0; i < map.texels.size(); ++i) {
+        const double sine = std::sin(M_PI * (static_cast<double>(i / 128) + 0.5) / 64.0);
+        light += map.texels[i].x * sine;
+        sines += sine;
+    }
+    const double left = 0.5 * light / sines;
+    const double whole = (light - left * sines) * 2.0 * M_PI / 128.0 * M_PI / 64.0;
+    for (uint i = 0; i < 4096; ++i) {
+        const LightSample sample = drawn.draw(sample2d(makePixelSample(0, 0, i, 2), 0));
+        if (std::abs(sample.wi.y) < 0.9f) {
+            const double radiance = static_cast<double>(sample.arriving.x) * sample.pdf;
+            const double change = M_PI / 64.0 * std::abs(sample.wi.y) / mapSine(sample.wi);
+            ASSERT_NEAR(radiance - left, whole * sample.pdf, (change + 0.001) * radiance) << i;
+        }
+    }
 }
 
 } // namespace

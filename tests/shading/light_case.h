@@ -28,7 +28,16 @@ struct LightAnswer {
     vec3 mapDirection;
     uint chosen;
     vec2 mapPoint;
-    vec2 mapPointIn;
+    vec2 mapPointOf;
+    vec4 texel;
+    float right;
+    float down;
+    uint mapColumn;
+    uint mapRow;
+    uint normalBin;
+    float balance;
+    uint padding0;
+    uint padding1;
     float uRemapped;
     float mapDensity;
     float solidAngleDensity;
@@ -41,7 +50,11 @@ SHARED_FN LightAnswer answer(const LightCase asked) {
     const TableEntry entry = TableEntry(asked.keep * 0.5f, asked.keep * 0.5f + 0.5f, asked.density, 0u);
     const uint slot = guideSlot(asked.uX, asked.slotCount);
     const TableChoice row = chosenEntry(entry, slot, asked.uX);
-    const TableChoice column = chosenEntry(entry, guideSlot(asked.uY, 2u * asked.slotCount), asked.uY);
+    const MapPlace seen = mapPlace(mapPoint(asked.direction), 2u * asked.slotCount, asked.slotCount);
+    const MapCorners corners =
+        MapCorners(vec4(asked.point, asked.density), vec4(asked.direction, asked.keep),
+                   vec4(asked.light.strength, asked.uX), vec4(asked.light.direction, asked.uY));
+    const MapPlace place = samplePlace(corners, slot, asked.other, asked.slotCount, u);
     LightAnswer found;
     found.wi = drawn.wi;
     found.distance = drawn.distance;
@@ -49,20 +62,28 @@ SHARED_FN LightAnswer answer(const LightCase asked) {
     found.pdf = drawn.pdf;
     found.corners = sampleTriangle(u);
     found.heuristic = powerHeuristic(asked.density, drawn.distance);
+    found.balance = balanceHeuristic(asked.density, drawn.distance);
     found.mapDirection = mapDirection(u);
     found.chosen = row.index;
     found.mapPoint = mapPoint(asked.direction);
-    found.mapPointIn = mapPointIn(row, column, 2u * asked.slotCount, asked.slotCount);
+    found.mapPointOf = mapPointOf(place, 2u * asked.slotCount, asked.slotCount);
+    found.texel = filteredTexel(corners, place.right, place.down);
+    found.right = seen.right;
+    found.down = seen.down;
+    found.mapColumn = seen.column;
+    found.mapRow = seen.row;
+    found.normalBin = normalBin(asked.direction);
+    found.padding0 = 0u;
+    found.padding1 = 0u;
     found.uRemapped = row.uRemapped;
-    found.mapDensity =
-        mapDensity(asked.density, asked.keep, asked.slotCount, asked.other, mapSine(asked.direction));
+    found.mapDensity = mapDensity(asked.density, mapSine(asked.direction));
     found.solidAngleDensity = solidAngleDensity(asked.density, asked.uX, asked.direction.x);
     found.hitsDisc = hitsDisc(asked.light, asked.direction) ? 1u : 0u;
     return found;
 }
 
 SHARED_ASSERT_SIZE(LightCase, 96)
-SHARED_ASSERT_SIZE(LightAnswer, 96)
+SHARED_ASSERT_SIZE(LightAnswer, 144)
 
 SHARED_END
 #endif

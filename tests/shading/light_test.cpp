@@ -23,11 +23,14 @@ TEST(PowerHeuristic, weightsOfBothWaysSumToOne) {
             const auto a = static_cast<float>(own);
             const auto b = static_cast<float>(other);
             ASSERT_NEAR(powerHeuristic(a, b) + powerHeuristic(b, a), 1.0f, 2e-7f) << own << " " << other;
+            ASSERT_NEAR(balanceHeuristic(a, b) + balanceHeuristic(b, a), 1.0f, 2e-7f) << own << " " << other;
         }
     }
     EXPECT_EQ(powerHeuristic(2.0f, 0.0f), 1.0f); // no other technique finds it
     EXPECT_LT(powerHeuristic(0.0f, 2.0f), 1e-30f);
     EXPECT_NEAR(powerHeuristic(3.0f, 1.0f), 0.9f, 1e-7f);
+    EXPECT_EQ(balanceHeuristic(3.0f, 1.0f), 0.75f);
+    EXPECT_EQ(balanceHeuristic(2.0f, 0.0f), 1.0f);
 }
 
 TEST(TableChoice, leavesANumberAsGoodAsNew) {

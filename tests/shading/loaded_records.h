@@ -21,14 +21,13 @@ struct LoadedRecords {
     Emitter emitter;
     LightRecord light;
     TableEntry table;
-    vec3 environment;
-    uint texel0;
+    vec4 environment;
     vec3 vertexNormal;
+    uint texel0;
     uint texel1;
     uint texel2;
     uint texel3;
     uint padding0;
-    uint padding1;
 };
 
 SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
@@ -44,13 +43,12 @@ SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
     loaded.light = loadLight(SCENE i);
     loaded.table = loadTableEntry(SCENE i);
     loaded.environment = loadEnvironment(SCENE i);
-    loaded.texel0 = loadTexel(SCENE 0u, i);
     loaded.vertexNormal = loadVertexNormal(SCENE i);
+    loaded.texel0 = loadTexel(SCENE 0u, i);
     loaded.texel1 = loadTexel(SCENE 1u, i);
     loaded.texel2 = loadTexel(SCENE 2u, i);
     loaded.texel3 = loadTexel(SCENE 3u, i);
     loaded.padding0 = 0u;
-    loaded.padding1 = 0u;
     return loaded;
 }
 

@@ -87,9 +87,15 @@ void addEmitters(const Scene& scene, const std::span<const glm::vec3> meanEmissi
 
 void addEnvironment(const Environment& environment, ShadingScene& target, Weights& weights,
                     const double radius) {
-    for (const glm::vec3& texel : environment.texels) {
-        target.environment.emplace_back(texel, 0.0f);
+    const EnvironmentTables tables = makeEnvironmentTables(environment);
+    for (std::size_t i = 0; i < environment.texels.size(); ++i) {
+        target.environment.emplace_back(environment.texels[i], tables.weights[i]);
     }
+    target.settings.blockColumnShift = tables.blockColumnShift;
+    target.settings.blockRowShift = tables.blockRowShift;
+    target.tables = tables.blocks;
+    target.tables.insert(target.tables.end(), tables.rows.begin(), tables.rows.end());
+    target.tables.insert(target.tables.end(), tables.columns.begin(), tables.columns.end());
     target.settings.environmentWidth = environment.width;
     target.settings.environmentHeight = environment.height;
     double sum = 0.0;
@@ -164,12 +170,8 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
     settings.environmentProbability = static_cast<float>(chances.back());
     target.features |= hasLight ? kFeatureLights : 0u;
     const std::vector<float> rounded(chances.begin(), chances.end());
-    target.tables = makeWeightedTable(rounded);
-    if (surroundings.environment) {
-        const EnvironmentTables map = makeEnvironmentTables(*surroundings.environment);
-        target.tables.insert(target.tables.end(), map.rows.begin(), map.rows.end());
-        target.tables.insert(target.tables.end(), map.columns.begin(), map.columns.end());
-    }
+    const std::vector<TableEntry> lightTable = makeWeightedTable(rounded);
+    target.tables.insert(target.tables.begin(), lightTable.begin(), lightTable.end());
     for (std::size_t i = 0; i < target.emitters.size(); ++i) {
         // Equal for all emitters of a material.
         const double density = chances[i] / areaOf(target.emitters[i]);

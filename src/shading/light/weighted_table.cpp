@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/weighted_table.h"
 
-#include "metamarch/shared/math.h"
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,40 +10,138 @@
 namespace metamarch {
 namespace {
 
-// The fractions that a texel and each neighbour along one axis contribute to the texel's area: the integral
-// of the tent filter.
-constexpr float kOwnPart = 0.75f;
-constexpr float kNeighbourPart = 0.125f;
+// This part of the map's mean is left to BSDF sampling: M. Karlik, M. Sik, P. Vevoda, T. Skrivan, J.
+// Krivanek, "MIS Compensation: Optimizing Sampling Techniques in Multiple Importance Sampling", 2019.
+// README.md says why it is a half.
+constexpr double kLeftToBsdf = 0.5;
 
-// Gives luminances relative to the brightest texel, because sums of extreme values could overflow.
-class Brightness {
-  public:
-    explicit Brightness(const Environment& environment) : environment_(environment) {
-        float largest = 0.0f;
-        for (const glm::vec3& texel : environment.texels) {
-            largest = std::max(largest, luminance(texel * kHeadroom));
-        }
-        scale_ = largest > 0.0f ? 1.0 / largest : 0.0;
+// Returns the weights of the texels, whose mean is 1 if there is any light. The length of the colour as a
+// vector gives the least squared error, summed over the channels; luminance would hardly look for blue light.
+std::vector<float> weightsOf(const Environment& environment) {
+    constexpr double kLeast = 1e-18; // the square of a smaller weight could be a denormal float
+    const auto sine = [&](const std::size_t texel) {
+        const std::size_t row = texel / environment.width;
+        return std::sin(M_PI * (static_cast<double>(row) + 0.5) / environment.height);
+    };
+    std::vector<double> kept;
+    kept.reserve(environment.texels.size());
+    double light = 0.0;
+    double sines = 0.0;
+    for (std::size_t i = 0; i < environment.texels.size(); ++i) {
+        kept.push_back(glm::length(glm::dvec3(environment.texels[i])));
+        light += kept[i] * sine(i);
+        sines += sine(i);
     }
-
-    // Returns the luminance filtered along its row, which wraps around.
-    float inRow(std::uint32_t x, std::uint32_t y) const {
-        const std::uint32_t left = x == 0 ? environment_.width - 1 : x - 1;
-        const std::uint32_t right = x + 1 == environment_.width ? 0 : x + 1;
-        return kOwnPart * at(x, y) + kNeighbourPart * (at(left, y) + at(right, y));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        kept[i] = std::max(kept[i] - kLeftToBsdf * light / sines, 0.0) * sine(i);
+        sum += kept[i];
     }
-
-  private:
-    float at(std::uint32_t x, std::uint32_t y) const {
-        const glm::vec3& texel = environment_.texels[std::size_t{y} * environment_.width + x];
-        return static_cast<float>(luminance(texel * kHeadroom) * scale_);
+    const double scale = sum > 0.0 ? static_cast<double>(kept.size()) / sum : 0.0;
+    std::vector<float> weights;
+    weights.reserve(kept.size());
+    for (const double value : kept) {
+        weights.push_back(value * scale < kLeast ? 0.0f : static_cast<float>(value * scale));
     }
+    return weights;
+}
 
-    static constexpr float kHeadroom = 0.5f; // keeps the luminance of the largest floats finite
+// Blocks are divided into parts for the mean cosine.
+constexpr std::uint32_t kPartsAlong = 8;
+constexpr std::size_t kPartsOfBlock = std::size_t{kPartsAlong} * kPartsAlong;
 
-    const Environment& environment_;
-    double scale_;
+struct BlockPart {
+    double weight = 0.0;
+    glm::dvec3 direction{0.0}; // sum over the cells, times their weights
 };
+
+// Adds a row of cells to the parts of all blocks.
+void addToParts(const EnvironmentTables& tables, const Environment& environment, const std::uint32_t row,
+                const std::span<const float> cells, const std::span<BlockPart> parts) {
+    const auto partOf = [](const std::uint32_t cell, const std::uint32_t shift) {
+        return (cell & ((1u << shift) - 1)) * kPartsAlong >> shift;
+    };
+    const std::size_t blockRow = row >> tables.blockRowShift;
+    const std::size_t partRow = partOf(row, tables.blockRowShift);
+    const double polar =
+        M_PI * std::clamp(static_cast<double>(row), 0.25, environment.height - 0.25) / environment.height;
+    for (std::uint32_t x = 0; x < environment.width; ++x) {
+        const double azimuth = 2.0 * M_PI * ((x + 1.0) / environment.width - 0.5);
+        const glm::dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                   std::sin(polar) * std::sin(azimuth));
+        const std::size_t block = blockRow * kBlocksAcross + (x >> tables.blockColumnShift);
+        BlockPart& part =
+            parts[block * kPartsOfBlock + partRow * kPartsAlong + partOf(x, tables.blockColumnShift)];
+        part.weight += cells[x];
+        part.direction += direction * static_cast<double>(cells[x]);
+    }
+}
+
+// Returns normals all over a bin.
+std::vector<glm::dvec3> normalsOf(const std::uint32_t bin) {
+    constexpr int kSteps = 4;
+    const std::uint32_t face = bin / (kBinsAlong * kBinsAlong);
+    const std::uint32_t j = bin / kBinsAlong % kBinsAlong;
+    const std::uint32_t i = bin % kBinsAlong;
+    std::vector<glm::dvec3> normals;
+    for (int y = 0; y < kSteps; ++y) {
+        for (int x = 0; x < kSteps; ++x) {
+            const double a = 2.0 * (i + x / (kSteps - 1.0)) / kBinsAlong - 1.0;
+            const double b = 2.0 * (j + y / (kSteps - 1.0)) / kBinsAlong - 1.0;
+            const double major = face % 2 == 0 ? 1.0 : -1.0;
+            normals.push_back(glm::normalize(face < 2   ? glm::dvec3(major, a, b)
+                                             : face < 4 ? glm::dvec3(a, major, b)
+                                                        : glm::dvec3(a, b, major)));
+        }
+    }
+    return normals;
+}
+
+// Returns the mean of the cosine over the normals and over the light of a block.
+double meanCosine(const std::span<const glm::dvec3> normals, const std::span<const BlockPart> block) {
+    // A block that some of the normals see keeps a probability for the others, whose horizon is lower.
+    constexpr double kLeastCosine = 0.03;
+    double sum = 0.0;
+    double weight = 0.0;
+    bool isSeen = false;
+    for (const BlockPart& part : block) {
+        weight += part.weight;
+        for (const glm::dvec3& normal : normals) {
+            const double cosine = glm::dot(normal, part.direction);
+            sum += std::max(cosine, 0.0);
+            isSeen = isSeen || cosine > -kLeastCosine * part.weight;
+        }
+    }
+    const double mean = weight > 0.0 ? sum / (weight * static_cast<double>(normals.size())) : 0.0;
+    return isSeen ? std::max(mean, kLeastCosine) : 0.0;
+}
+
+// Returns the tables of blocks for all bins. The weights of the parts sum to the number of texels.
+std::vector<TableEntry> blockTables(const std::span<const BlockPart> parts) {
+    std::vector<double> weights(kMapBlocks, 0.0);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        weights[i / kPartsOfBlock] += parts[i].weight;
+    }
+    const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::vector<TableEntry> tables(std::size_t{kAnyNormal + 1} * kMapBlocks);
+    tbb::parallel_for(0u, kAnyNormal + 1, [&](const std::uint32_t bin) {
+        std::vector<float> seen(weights.begin(), weights.end());
+        const std::vector<glm::dvec3> normals =
+            bin == kAnyNormal ? std::vector<glm::dvec3>() : normalsOf(bin);
+        for (std::size_t block = 0; bin != kAnyNormal && block < kMapBlocks; ++block) {
+            seen[block] *=
+                static_cast<float>(meanCosine(normals, parts.subspan(block * kPartsOfBlock, kPartsOfBlock)));
+        }
+        const std::vector<TableEntry> table = makeWeightedTable(seen);
+        for (std::size_t block = 0; block < kMapBlocks; ++block) {
+            TableEntry& entry = tables[bin * kMapBlocks + block];
+            entry = table[block];
+            entry.probability =
+                weights[block] > 0.0 ? static_cast<float>(entry.probability * all / weights[block]) : 0.0f;
+        }
+    });
+    return tables;
+}
 
 } // namespace
 
@@ -81,27 +179,47 @@ std::vector<TableEntry> makeWeightedTable(const std::span<const float> weights) 
 }
 
 EnvironmentTables makeEnvironmentTables(const Environment& environment) {
+    const std::uint32_t width = environment.width;
+    const std::uint32_t height = environment.height;
     EnvironmentTables tables;
-    tables.columns.reserve(environment.texels.size());
-    const Brightness brightness(environment);
-    std::vector<float> rowWeights(environment.height);
-    std::vector<float> weights(environment.width);
-    for (std::uint32_t y = 0; y < environment.height; ++y) {
-        const std::uint32_t above = y == 0 ? 0 : y - 1;
-        const std::uint32_t below = y + 1 == environment.height ? y : y + 1;
-        const double top = M_PI * y / environment.height;
-        const double solidAngle = std::cos(top) - std::cos(top + M_PI / environment.height);
-        double sum = 0.0;
-        for (std::uint32_t x = 0; x < environment.width; ++x) {
-            weights[x] = kOwnPart * brightness.inRow(x, y) +
-                         kNeighbourPart * (brightness.inRow(x, above) + brightness.inRow(x, below));
-            sum += weights[x];
-        }
-        rowWeights[y] = static_cast<float>(sum * solidAngle);
-        const std::vector<TableEntry> row = makeWeightedTable(weights);
-        tables.columns.insert(tables.columns.end(), row.begin(), row.end());
+    tables.weights = weightsOf(environment);
+    while (((width - 1) >> tables.blockColumnShift) >= kBlocksAcross) {
+        ++tables.blockColumnShift;
     }
-    tables.rows = makeWeightedTable(rowWeights);
+    while ((height >> tables.blockRowShift) >= kBlocksDown) {
+        ++tables.blockRowShift;
+    }
+    tables.columns.reserve(std::size_t{width} * (height + 1));
+    std::vector<std::vector<float>> rowWeights(kBlocksAcross, std::vector<float>(height + 1, 0.0f));
+    std::vector<BlockPart> parts(std::size_t{kMapBlocks} * kPartsAlong * kPartsAlong);
+    const std::uint32_t blockWidth = 1u << tables.blockColumnShift;
+    std::vector<float> cells(width);
+    for (std::uint32_t row = 0; row <= height; ++row) {
+        const float* upper = &tables.weights[std::size_t{std::max(row, 1u) - 1} * width];
+        const float* lower = &tables.weights[std::size_t{std::min(row, height - 1)} * width];
+        const float part = row == 0 || row == height ? 0.5f : 1.0f; // cells at the poles are halves
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const std::uint32_t next = x + 1 == width ? 0 : x + 1;
+            cells[x] = 0.25f * part * (upper[x] + upper[next] + lower[x] + lower[next]);
+        }
+        for (std::uint32_t first = 0; first < width; first += blockWidth) {
+            const std::span block(&cells[first], std::min(blockWidth, width - first));
+            const std::vector<TableEntry> columns = makeWeightedTable(block);
+            tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
+            rowWeights[first / blockWidth][row] =
+                static_cast<float>(std::accumulate(block.begin(), block.end(), 0.0));
+        }
+        addToParts(tables, environment, row, cells, parts);
+    }
+    const std::uint32_t blockHeight = 1u << tables.blockRowShift;
+    for (const std::vector<float>& column : rowWeights) {
+        for (std::uint32_t first = 0; first <= height; first += blockHeight) {
+            const std::span block(&column[first], std::min(blockHeight, height + 1 - first));
+            const std::vector<TableEntry> rows = makeWeightedTable(block);
+            tables.rows.insert(tables.rows.end(), rows.begin(), rows.end());
+        }
+    }
+    tables.blocks = blockTables(parts);
     return tables;
 }
 
