@@ -23,7 +23,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     float tNear = ray.tNear;
 
     // Invariant: every triangle that the ray meets before tNear has been tested.
-    while (true) {
+    bool isOn = true;
+    while (isOn) {
         uint nodeId = 0u;
         float tFar = ray.tFar;
         ++trace.steps;
@@ -39,10 +40,11 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         const Leaf leaf = enterLeaf(node, trace);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
-        if (isDone(trace, anyHit) || trace.hit.t <= tFar || tFar >= ray.tFar) {
-            finish(trace);
-            return;
-        }
+        isOn = !isDone(trace, anyHit) && trace.hit.t > tFar && tFar < ray.tFar;
         tNear = tFar;
+    }
+    // The driver may have ended the loop early.
+    if (!isOn) {
+        finish(trace);
     }
 }

@@ -31,7 +31,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     ivec3 cell = clamp(searchCell(positionAt(ray, ray.tNear)), ivec3(0), ivec3(resolution) - 1);
 
     // Invariant: `cell` is in the lattice, and every triangle that the ray meets before it has been tested.
-    while (true) {
+    bool isOn = true;
+    while (isOn) {
         ++trace.steps;
         const Leaf leaf = loadLeafAt(cell, resolution);
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
@@ -41,9 +42,10 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         const ivec3 found = searchCell(positionAt(ray, next.t));
         cell = cellBehind(ray, lo, hi, cell, found, next.axis);
         // A triangle may extend beyond the box, so only a hit inside the box is known to be the closest.
-        if (isDone(trace, anyHit) || trace.hit.t <= next.t || !isInLattice(cell, resolution)) {
-            finish(trace);
-            return;
-        }
+        isOn = !isDone(trace, anyHit) && trace.hit.t > next.t && isInLattice(cell, resolution);
+    }
+    // The driver may have ended the loop early.
+    if (!isOn) {
+        finish(trace);
     }
 }

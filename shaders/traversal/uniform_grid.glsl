@@ -27,16 +27,18 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     ivec3 cell = cellAt(gridRay, ray.tNear, ivec3(0), ivec3(grid.resolution));
 
     // Invariant: `cell` is in the grid, and every triangle that the ray meets before it has been tested.
-    while (true) {
+    bool isOn = true;
+    while (isOn) {
         ++trace.steps;
         const GridCell content = loadGridCell(cellIndex(cell, grid.resolution));
         testTriangles(ray, content.firstTriangle, content.triangleCount, trace);
         const BoxExit next = leaveCell(gridRay, cell);
         // A triangle may extend beyond the cell, so only a hit inside the cell is known to be the closest.
-        if (isDone(trace, anyHit) || trace.hit.t <= next.t || !isInLattice(next.cell, grid.resolution)) {
-            finish(trace);
-            return;
-        }
+        isOn = !isDone(trace, anyHit) && trace.hit.t > next.t && isInLattice(next.cell, grid.resolution);
         cell = next.cell;
+    }
+    // The driver may have ended the loop early.
+    if (!isOn) {
+        finish(trace);
     }
 }
