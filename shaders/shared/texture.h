@@ -43,8 +43,13 @@ SHARED_FN int wrapped(const int i, const int size, const uint wrap) {
     return wrap == kWrapClamp ? min(max(i, 0), size - 1) : inside;
 }
 
+// A texture transform of a file may overflow: 1e38 * 10 - 1e38 * 10 is NaN. What is farther than this counts
+// as 0, and so does NaN, because neither converts to the index of a texel.
+const float kFarthestTexture = 1e30f;
+
 // Maps a coordinate to [0, 1], where the whole image is one unit wide; mirrored coordinates are folded.
-SHARED_FN float withinPeriod(const float u, const uint wrap) {
+SHARED_FN float withinPeriod(const float coordinate, const uint wrap) {
+    const float u = abs(coordinate) < kFarthestTexture ? coordinate : 0.0f;
     const float once = u - floor(u);
     const float periods = u * 0.5f;
     const float twice = (periods - floor(periods)) * 2.0f;
@@ -92,7 +97,8 @@ const float kFinestLevel = -1000.0f;
 SHARED_FN uint chosenLevel(const uint flags, const float texels, const float u) {
     const float last = float(flags >> kTextureLastLevelShift);
     const float part = (flags & kTextureBetweenLevels) != 0u ? u : 0.5f;
-    return uint(min(max(floor(texels + part), 0.0f), last));
+    const float level = floor(texels + part);
+    return level > 0.0f ? uint(min(level, last)) : 0u; // a NaN converts to no integer
 }
 
 // Returns 1 in every channel for kNoTextureRecord.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace metamarch::tests {
 namespace {
@@ -160,6 +161,34 @@ TEST(PathMipmap, hasEveryFilterOfGltf) {
         EXPECT_NEAR(lookUp(shading, 0, at).x, seen.expected, kByte)
             << "mag " << static_cast<int>(seen.mag) << ", min " << static_cast<int>(seen.min) << ", level "
             << seen.level << ", u " << seen.u;
+    }
+}
+
+// A texture transform of a file can make coordinates infinite or NaN. They must not leave the texels.
+TEST(PathMipmap, coordinatesThatAreNoNumbersLookUpTheFirstTexel) {
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+    for (const TextureWrap wrap :
+         {TextureWrap::repeat, TextureWrap::mirroredRepeat, TextureWrap::clampToEdge}) {
+        PathScene made;
+        Material paint = lambert({1, 1, 1});
+        paint.baseColorTexture = {
+            addFiltered(made.scene, 4, kGreys, kNearest, TextureFilter::nearestMipmapLinear)};
+        made.scene.textures[0].wrapS = wrap;
+        made.scene.textures[0].wrapT = wrap;
+        addMaterial(made.scene, paint);
+        const ShadingScene shading = shadingOf(made);
+        const auto seen = [&](const float u, const float v, const float level) {
+            TexturePoint at{};
+            at.first = {u, v};
+            at.firstLevel = level;
+            return lookUp(shading, 0, at);
+        };
+        const float first = seen(0.0f, 0.0f, kFinestLevel).x;
+        for (const float odd : {kInfinite, -kInfinite, kNaN, 3e38f, -3e38f}) {
+            EXPECT_EQ(seen(odd, odd, kFinestLevel).x, first) << odd << ", wrap " << static_cast<int>(wrap);
+        }
+        EXPECT_EQ(seen(0.0f, 0.0f, kNaN).x, first);
     }
 }
 
