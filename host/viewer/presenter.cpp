@@ -19,6 +19,8 @@ using Layout = vk::ImageLayout;
 using Stage = vk::PipelineStageFlagBits;
 
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+// The window must answer even if a compositor gives no image back.
+constexpr std::uint64_t kAcquireNanoseconds = 100'000'000;
 
 // The render pass draws over the picture that has been copied into the image, and leaves the image in the
 // layout for presentation.
@@ -173,10 +175,14 @@ bool Presenter::beginFrame() {
     return true;
 }
 
-// Returns nothing if the swapchain no longer fits the window.
+// Returns nothing if the swapchain no longer fits the window, or if no image is free in time.
 std::optional<std::uint32_t> Presenter::acquire() {
     try {
-        const auto [result, image] = chain->handle().acquireNextImage(kForever, *acquired, nullptr);
+        const auto [result, image] =
+            chain->handle().acquireNextImage(kAcquireNanoseconds, *acquired, nullptr);
+        if (result != vk::Result::eSuccess && result != vk::Result::eSuboptimalKHR) {
+            return std::nullopt; // the screen has no image free yet, for example while the window is covered
+        }
         isOutdated = result == vk::Result::eSuboptimalKHR;
         return image;
     } catch (const vk::OutOfDateKHRError&) {
@@ -193,7 +199,7 @@ void Presenter::endFrame(const std::function<void(vulkan::Commands&, const Scree
         wait();
         const std::optional<std::uint32_t> image = acquire();
         if (!image) {
-            return; // the next frame makes another chain
+            return; // the next frame tries again
         }
         record(paint, *image);
         device.handle().resetFences(*done);

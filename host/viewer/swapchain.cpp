@@ -22,6 +22,18 @@ vk::SurfaceFormatKHR chooseFormat(const vulkan::Device& device, const vk::raii::
                 fmt::format("{}: this window takes no 8-bit sRGB pictures", device.name()));
 }
 
+// Prefers a window that shows nothing behind it.
+vk::CompositeAlphaFlagBitsKHR chooseAlpha(const vk::SurfaceCapabilitiesKHR& limits) {
+    using Alpha = vk::CompositeAlphaFlagBitsKHR;
+    for (const Alpha offered :
+         {Alpha::eOpaque, Alpha::eInherit, Alpha::ePreMultiplied, Alpha::ePostMultiplied}) {
+        if (limits.supportedCompositeAlpha & offered) {
+            return offered;
+        }
+    }
+    return Alpha::eOpaque;
+}
+
 // Prefers mailbox: the program then never waits for the screen, and the screen never shows half a picture.
 vk::PresentModeKHR chooseMode(const vulkan::Device& device, const vk::raii::SurfaceKHR& surface) {
     const auto offered = device.physicalDevice().getSurfacePresentModesKHR(*surface);
@@ -63,6 +75,7 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
     info.imageArrayLayers = 1;
     info.imageUsage = usage;
     info.preTransform = limits.currentTransform;
+    info.compositeAlpha = chooseAlpha(limits);
     info.presentMode = chooseMode(device, surface);
     info.clipped = VK_TRUE;
     info.oldSwapchain = previous == nullptr ? vk::SwapchainKHR() : *previous->swapchain;

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,7 +20,7 @@ using Stage = vk::PipelineStageFlagBits;
 
 constexpr vk::PipelineStageFlags kWorkStages = Stage::eComputeShader | Stage::eTransfer;
 constexpr vk::AccessFlags kWorkWrites = Access::eShaderWrite | Access::eTransferWrite;
-constexpr vk::AccessFlags kWorkReads = Access::eShaderRead | Access::eTransferRead;
+constexpr vk::AccessFlags kWorkReads = Access::eShaderRead | Access::eUniformRead | Access::eTransferRead;
 
 // Hierarchies are built in a separate pipeline stage, which exists only on devices with ray queries.
 vk::PipelineStageFlags workStages(const Device& device) {
@@ -127,7 +129,8 @@ void Submission::start(const Recorder& record) {
         const bool timed = *timestamps_;
         if (timed) {
             commandBuffer_.resetQueryPool(*timestamps_, 0, 2);
-            commandBuffer_.writeTimestamp(Stage::eTopOfPipe, *timestamps_, 0);
+            // At the bottom of the pipe, earlier submissions are over, and their time does not count.
+            commandBuffer_.writeTimestamp(Stage::eBottomOfPipe, *timestamps_, 0);
         }
         Commands commands(*device_, commandBuffer_);
         record(commands);
@@ -153,12 +156,11 @@ double Submission::wait() {
     }
     inFlight_ = false; // even if the device is lost: another wait would not help
     try {
-        const auto timeout = std::chrono::nanoseconds(kTimeout).count();
-        const vk::Result result =
-            device_->handle().waitForFences(*fence_, VK_TRUE, static_cast<uint64_t>(timeout));
-        if (result == vk::Result::eTimeout) {
-            throw Error(ErrorKind::noDevice, fmt::format("{}: device lost (no answer within {} minutes)",
-                                                         device_->name(), kTimeout.count()));
+        // Waits as long as it takes: giving up would free memory that the device still writes to. A device
+        // that hangs is reset by its driver, and then it is lost.
+        constexpr uint64_t kForever = std::numeric_limits<uint64_t>::max();
+        if (device_->handle().waitForFences(*fence_, VK_TRUE, kForever) != vk::Result::eSuccess) {
+            throw Error(ErrorKind::noDevice, fmt::format("{}: device lost", device_->name()));
         }
         return deviceSeconds();
     } catch (const vk::SystemError& error) {
@@ -172,8 +174,9 @@ double Submission::run(const Recorder& record) {
 }
 
 double Submission::deviceSeconds() const {
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime_).count();
     if (!*timestamps_) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime_).count();
+        return wall;
     }
     const auto [result, ticks] =
         timestamps_.getResults<uint64_t>(0, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),
@@ -181,7 +184,9 @@ double Submission::deviceSeconds() const {
     // A counter with n bits wraps at 2^n.
     const uint32_t unusedBits = 64 - device_->report().timestampValidBits;
     const uint64_t elapsed = ((ticks[1] - ticks[0]) << unusedBits) >> unusedBits;
-    return static_cast<double>(elapsed) * device_->timestampPeriod() * 1e-9;
+    // Some clocks tick so slowly that both stamps are equal, and a clock that stood still says nothing.
+    const double seconds = static_cast<double>(elapsed) * device_->timestampPeriod() * 1e-9;
+    return elapsed == 0 ? wall : std::min(seconds, wall);
 }
 
 } // namespace metamarch::vulkan

@@ -66,17 +66,13 @@ class Submission {
     // Records and submits. Everything that the work uses must stay alive and unmodified until wait() returns.
     void start(const Recorder& record);
 
-    // Returns the seconds that the work took on the device, measured by timestamps or, on a queue without
-    // them, by wall clock from start(). Throws Error(noDevice) if the device is lost or does not finish
-    // within kTimeout.
+    // Returns the seconds that the work took on the device, measured by timestamps. On a queue without them,
+    // or where they are equal, it is the wall clock's time since start(), which is also the most that it can
+    // be. Throws Error(noDevice) if the device is lost.
     double wait();
 
     // Calls start() and wait().
     double run(const Recorder& record);
-
-    // Far longer than the 50 to 100 ms of work that a submission should hold, because lavapipe may first
-    // compile for seconds.
-    static constexpr std::chrono::minutes kTimeout{5};
 
   private:
     double deviceSeconds() const;
