@@ -183,7 +183,7 @@ TEST(GltfMaterial, OutOfRangeIsClamped) {
 
 TEST(GltfMaterial, AlphaModes) {
     const auto modeNamed = [](const char* name) {
-        return MaterialFile({{"alphaMode", name}}).material().alphaMode;
+        return MaterialFile(Json{{"alphaMode", name}}).material().alphaMode;
     };
     EXPECT_EQ(modeNamed("OPAQUE"), AlphaMode::opaque);
     EXPECT_EQ(modeNamed("MASK"), AlphaMode::mask);
