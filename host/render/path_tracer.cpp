@@ -243,8 +243,9 @@ void PathTracer::download(FilmData& film) const {
 std::uint32_t PathTracer::downloadSums(FilmData& earlier, FilmData& block,
                                        const std::span<const std::uint32_t> groups) const {
     const TileSums read = readSums();
+    const bool countsHits = has(parts, kFilmHits) && !groups.empty();
     const auto triangles = readTiles<std::array<std::uint32_t, kBlockSamples>>(
-        device, hits, groups.empty() ? 0 : begunTiles().count());
+        device, hits, countsHits ? begunTiles().count() : 0);
     // Where the pass has not come yet, the last block is the one before.
     const bool isFirstPass = passEnd > taken && taken == blockFirst && blockFirst > filmFirst && !hasSums;
     const std::uint32_t reached = isFirstPass ? std::max(next, unfinished.end) : tiles.end;
@@ -255,7 +256,7 @@ std::uint32_t PathTracer::downloadSums(FilmData& earlier, FilmData& block,
         }
         if (tiles.first + i / kTilePixels < reached) {
             for (std::uint32_t sample = block.pixels[index].samples;
-                 !groups.empty() && sample < read.blocks[i].samples; ++sample) {
+                 countsHits && sample < read.blocks[i].samples; ++sample) {
                 if (triangles[i][sample] != kNoTriangle) {
                     block.addHit(index, groups[triangles[i][sample]]);
                 }

@@ -64,12 +64,15 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.settings.path = state.settings.path;
     result.settings.samplesPerPixel = progressive.wholeSamples(); // some tiles may have more
     result.size = progressive.size();
+    result.area = {0, 0, result.size.x, result.size.y};
     result.film = progressive.film();
     result.device = device.name();
     result.driver = device.report().driverInfo;
     result.traversal = traversal;
     result.seconds.render = progressive.seconds();
-    render::writePicture(result, {software, file.string(), request.camera}, name, state.settings.tone);
+    const render::PictureOrigin origin{
+        .software = software, .sceneFile = file.string(), .camera = request.camera, .lens = request.lens};
+    render::writePicture(result, origin, name, state.settings.tone);
     return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
 }
 

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 namespace metamarch {
 
 Image filmImage(const FilmData& film, const std::span<const SeenPoint> seen, const int width,
                 const int height, const std::span<const Aov> written, const float missDepth) {
+    if (film.pixels.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+        throw std::invalid_argument("filmImage: the film has another size");
+    }
     std::vector<std::string> names;
     std::vector<std::string> idNames;
     std::vector<glm::length_t> sizes;

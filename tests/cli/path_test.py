@@ -84,7 +84,7 @@ class PathTest(ProgramTest):
         self.render(DEGENERATE, "--background", "1,1,1", "--tone-map", "none", "--spp", "1", name="a.png")
         picture = self.read_picture("a.png")
         self.assertEqual(set(picture), {"R", "G", "B"})
-        self.assertEqual(picture["R"][0][0], 255)
+        self.assertEqual(picture["R"][0][0], 1.0)
 
     def test_statistics(self):
         self.render(CORNELL, "--spp", "4", "--stats", "s.json")
