@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-namespace metamarch::cli {
+namespace metamarch {
 
 // Returns the SHA-1 of the file's bytes as sha1sum prints it; empty if the file cannot be read.
 std::string sha1Of(const std::filesystem::path& file);
 
-} // namespace metamarch::cli
+} // namespace metamarch
