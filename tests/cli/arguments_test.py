@@ -102,7 +102,7 @@ CASES = [
     ("compare a b --max-fail-percent -0.1", 2, NO_OUTPUT, r"--max-fail-percent -0.1: give a bound of 0 or more"),
     ("compare a b --threads 0", 2, NO_OUTPUT, r"--threads 0: give a whole number from 1 to 1024"),
     ("compare black.png black.png --threads 1", 0, r"channel .*within bounds: 0 of 2 pixels fail.*", NO_OUTPUT),
-    ("compare a b --out difference.jpg", 2, NO_OUTPUT, r"difference.jpg: a picture is written as .exr or .png"),
+    ("compare a b --out difference.gif", 2, NO_OUTPUT, r"difference.gif: a picture is written as .exr, .png, .jpg, .webp or .tif"),
     # compare: unreadable pictures, unwritable output
     ("compare missing.exr black.png", 3, NO_OUTPUT, r"cannot read missing.exr: No such file or directory"),
     ("compare black.png text.exr", 3, NO_OUTPUT, r"cannot read text.exr: .*"),
@@ -137,9 +137,9 @@ CASES = [
     ("render prose.obj -o a.exr --stats s.json", 3, NO_OUTPUT, r"prose.obj: there is no triangle in it"),
     # render: the output
     ("render cornell.glb", 2, NO_OUTPUT, r"render: --output is required .*"),
-    ("render cornell.glb -o a.jpg", 2, NO_OUTPUT, r"a.jpg: a picture is written as .exr or .png"),
-    ("render cornell.glb -o a", 2, NO_OUTPUT, r"a: a picture is written as .exr or .png"),
-    ("render cornell.glb -o cornell.glb", 2, NO_OUTPUT, r"cornell.glb: a picture is written as .exr or .png"),
+    ("render cornell.glb -o a.gif", 2, NO_OUTPUT, r"a.gif: a picture is written as .exr, .png, .jpg, .webp or .tif"),
+    ("render cornell.glb -o a", 2, NO_OUTPUT, r"a: a picture is written as .exr, .png, .jpg, .webp or .tif"),
+    ("render cornell.glb -o cornell.glb", 2, NO_OUTPUT, r"cornell.glb: a picture is written as .exr, .png, .jpg, .webp or .tif"),
     ("render cornell.glb -o no/a.exr", 5, NO_OUTPUT, r"cannot write no/a.exr: there is no such folder"),
     ("render cornell.glb -o folder.exr", 5, NO_OUTPUT, r"cannot write folder.exr: it is a folder"),
     ("render cornell.glb -o a.exr --stats no/s.json", 5, NO_OUTPUT, r"cannot write no/s.json: there is no such folder"),
