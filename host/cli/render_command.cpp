@@ -228,6 +228,8 @@ class RenderJob {
     void endEarly(const render::RenderResult& result, int signal);
     void report(const render::RenderResult& result);
 
+    // The first, so that the limit outlives all that has threads.
+    std::optional<Threads> threads_;
     RenderOptions& options_;
     const SettingList& given_;
     StageLog log_;
@@ -434,7 +436,7 @@ void RenderJob::render() {
 void RenderJob::run() {
     checkArguments(options_);
     checkOutputs(options_, given_);
-    const Threads threads(options_.threads);
+    threads_.emplace(options_.threads);
     settings_ = settingsOf(options_);
     openCheckpoint();
     openDevice();
