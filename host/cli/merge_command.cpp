@@ -43,6 +43,10 @@ std::vector<Piece> piecesOf(const std::vector<std::string>& names,
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (const render::FilmRun& run : files[i].runs) {
             for (const render::FilmSpan& span : run.spans) {
+                if (!pieces.empty() && span.film.parts() != pieces.front().span->film.parts()) {
+                    throw Error(ErrorKind::inputRefused, fmt::format("{} and {} hold sums of other channels",
+                                                                     pieces.front().file, names[i]));
+                }
                 pieces.push_back({names[i], run.area, &span});
             }
         }

@@ -32,6 +32,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -207,6 +208,20 @@ bool printsResults(const RenderOptions& options) {
            (!options.statsPath.empty() && isStandardOutput(options.statsPath));
 }
 
+// Throws Error(inputRefused) unless sums have the parts that the channels need, and triangles of the scene.
+void requireSumsOf(const render::FilmRun& run, const std::string& file, const std::uint32_t parts,
+                   const Scene& scene) {
+    for (const render::FilmSpan& span : run.spans) {
+        const bool isOfScene = std::ranges::all_of(span.film.pixels, [&](const FilmPixel& pixel) {
+            return pixel.seen.triangleId == kNoTriangle || pixel.seen.triangleId < scene.triangles.size();
+        });
+        if (span.film.parts() != parts || !isOfScene) {
+            throw Error(ErrorKind::inputRefused, fmt::format("{}: its sums are of another scene", file),
+                        {"resume"});
+        }
+    }
+}
+
 // One render and what it writes.
 class RenderJob {
   public:
@@ -330,17 +345,26 @@ bool RenderJob::isComplete(const render::RenderResult& result) const {
 
 // If the picture cannot be written, its samples are in the checkpoint.
 void RenderJob::writeAtEnd(const render::RenderResult& result) {
+    // If one of checkpoint and picture cannot be written, the other is.
     const bool hasSums = checkpoint_ && !result.sums.spans.empty();
+    std::exception_ptr checkpointFailure;
     if (hasSums && !isComplete(result)) {
-        checkpoint_->write(sums_, result.sums);
+        try {
+            checkpoint_->write(sums_, result.sums);
+        } catch (...) {
+            checkpointFailure = std::current_exception();
+        }
     }
     try {
         write(result);
-    } catch (const Error&) {
+    } catch (...) {
         if (hasSums && isComplete(result)) {
             checkpoint_->write(sums_, result.sums);
         }
         throw;
+    }
+    if (checkpointFailure) {
+        std::rethrow_exception(checkpointFailure);
     }
     log_.end(fmt::format("{} written", options_.outputPath));
     if (checkpoint_ && isComplete(result)) {
@@ -395,6 +419,7 @@ void RenderJob::render() {
     if (resumed_) {
         control.start = takeRun(std::move(*resumed_), options_.resumePath, sums_, area,
                                 {settings_.firstSample, settings_.samplesPerPixel});
+        requireSumsOf(control.start, options_.resumePath, filmPartsOf(settings_.aovs()), *scene_);
     }
     if (checkpoint_) {
         checkpoint_->write(sums_, control.start.spans.empty() ? render::FilmRun{area, {}} : control.start);
@@ -570,6 +595,16 @@ void writeMerged(const render::FilmFile& file, const std::string& name, FilmData
     render::RenderResult result;
     static_cast<render::RenderPlace&>(result) = placeIn(file.facts);
     result.settings = settingsOf(options);
+    for (const Aov& aov : result.settings.aovs()) {
+        if (aov.isOfSeenPoint || aov.isCryptomatte()) {
+            throw Error(
+                ErrorKind::inputRefused,
+                fmt::format("{}: the channel {} follows from the scene, which sums do not hold; go on "
+                            "with a render",
+                            name, aov.name()),
+                {"aov"});
+        }
+    }
     result.size = {file.width, file.height};
     result.area = {0, 0, file.width, file.height};
     result.film = std::move(film);

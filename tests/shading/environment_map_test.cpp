@@ -150,6 +150,23 @@ TEST(EnvironmentMap, everyNormalHasABin) {
     }
 }
 
+// A surface that sees none of the map's light draws too, and never a block outside the map.
+TEST(EnvironmentMap, isDrawnWhereItIsDark) {
+    Environment sun = flat(600, 300, vec3(0.0f));
+    sun.texels[50 * 600 + 100] = vec3(1000.0f);
+    for (const Environment& map : {flat(1, 1, vec3(1.0f)), brightTexel(), sun}) {
+        const DrawnMap drawn(map);
+        for (uint bin = 0; bin <= kAnyNormal; ++bin) {
+            for (uint i = 0; i < 16; ++i) {
+                const LightSample sample = drawn.draw(sample2d(makePixelSample(0, 0, i, 4), 0), bin);
+                ASSERT_GT(sample.pdf, 0.0f) << map.width << " " << bin;
+                ASSERT_NEAR(drawn.lightFrom(sample.wi, bin).pdf, sample.pdf, 1e-3f * sample.pdf)
+                    << map.width << " " << bin;
+            }
+        }
+    }
+}
+
 // Half of a uniform map lies below the horizon of each surface; few samples go there.
 TEST(EnvironmentMap, isDrawnAboveTheSurface) {
     const DrawnMap drawn(flat(256, 128, vec3(1.0f)));

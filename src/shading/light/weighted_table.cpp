@@ -132,6 +132,15 @@ std::vector<TableEntry> blockTables(const std::span<const BlockPart> parts) {
             seen[block] *=
                 static_cast<float>(meanCosine(normals, parts.subspan(block * kPartsOfBlock, kPartsOfBlock)));
         }
+        // A surface that sees no light draws as any surface does: blocks without light may be outside the
+        // map.
+        const auto isLit = [](const float weight) { return weight > 0.0f; };
+        if (std::ranges::none_of(seen, isLit)) {
+            seen.assign(weights.begin(), weights.end());
+        }
+        if (std::ranges::none_of(seen, isLit)) { // a black map: the first block is always in it
+            seen.front() = 1.0f;
+        }
         const std::vector<TableEntry> table = makeWeightedTable(seen);
         for (std::size_t block = 0; block < kMapBlocks; ++block) {
             TableEntry& entry = tables[bin * kMapBlocks + block];
