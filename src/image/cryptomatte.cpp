@@ -44,6 +44,13 @@ std::uint32_t wordAt(const std::string_view text, const std::size_t begin, const
     return word;
 }
 
+// Returns a name as the manifest can hold it: bytes that are no UTF-8 are replaced. The hash is of this text,
+// because readers hash the manifest's.
+std::string nameInManifest(const std::string& name) {
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+    return nlohmann::json::parse(nlohmann::json(name).dump(-1, ' ', false, kReplace)).get<std::string>();
+}
+
 } // namespace
 
 std::uint32_t murmurHash3(const std::string_view text) {
@@ -71,7 +78,8 @@ std::uint32_t cryptomatteId(const std::string_view name) {
 void addCryptomatte(const CryptomatteLevel& level, const FilmData& film, Image& image) {
     std::vector<std::uint32_t> idOfGroup;
     std::map<std::string, std::string> manifest; // sorted: the same scene has the same header
-    for (const std::string& name : level.nameOfGroup) {
+    for (const std::string& given : level.nameOfGroup) {
+        const std::string name = nameInManifest(given);
         idOfGroup.push_back(cryptomatteId(name));
         manifest[name] = fmt::format("{:08x}", idOfGroup.back());
     }
@@ -96,9 +104,7 @@ void addCryptomatte(const CryptomatteLevel& level, const FilmData& film, Image& 
 
     const std::string key =
         fmt::format("cryptomatte/{:.7}/", fmt::format("{:08x}", murmurHash3(level.layer)));
-    // Names may be bytes that are no UTF-8.
-    const std::string json =
-        nlohmann::json(manifest).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string json = nlohmann::json(manifest).dump();
     for (const auto& [name, value] : {std::pair<std::string, std::string>{"name", level.layer},
                                       {"hash", "MurmurHash3_32"},
                                       {"conversion", "uint32_to_float32"},

@@ -77,11 +77,12 @@ struct ChannelRun {
     std::size_t count() const { return static_cast<std::size_t>(end - begin); }
 };
 
-// Adds the channels of `spec` to the picture.
-std::vector<ChannelRun> addChannels(const OIIO::ImageSpec& spec, Image& image) {
+// Adds the channels of `spec` to the picture. Only in an EXR are whole numbers of 32 bits ids; a TIFF's are
+// colours.
+std::vector<ChannelRun> addChannels(const OIIO::ImageSpec& spec, const bool isExr, Image& image) {
     std::vector<ChannelRun> runs;
     for (int i = 0; i < spec.nchannels; ++i) {
-        const bool isOfIds = spec.channelformat(i) == OIIO::TypeUInt32;
+        const bool isOfIds = isExr && spec.channelformat(i) == OIIO::TypeUInt32;
         std::vector<std::string>& names = isOfIds ? image.idChannels : image.channels;
         if (runs.empty() || runs.back().isOfIds != isOfIds) {
             runs.push_back({i, i, isOfIds, names.size()});
@@ -169,7 +170,8 @@ Image readPart(OIIO::ImageInput& input, const int part, const std::filesystem::p
     Image image;
     image.width = spec.width;
     image.height = spec.height;
-    const std::vector<ChannelRun> runs = addChannels(spec, image);
+    const std::vector<ChannelRun> runs =
+        addChannels(spec, std::string_view(input.format_name()) == "openexr", image);
     const int band = spec.tile_width > 0 ? spec.tile_height : 64;
     for (int row = 0; row < spec.height; row += band) {
         const int rows = std::min(band, spec.height - row);

@@ -107,7 +107,7 @@ void writeParts(const std::filesystem::path& path, const char* format,
         } else {
             done = output->open(name, parts.front());
         }
-        // Of an unknown type are the values that the spec describes; no conversion takes place.
+        // TypeUnknown says that the values have the types of the spec, so they are not converted.
         done = done && output->write_image(OIIO::TypeUnknown, pixelsOf(part).data());
     }
     done = output && output->close() && done;

@@ -74,5 +74,16 @@ TEST(Cryptomatte, headerHasTheManifest) {
     EXPECT_NE(header["manifest"].find(R"("test":"ba6bd213")"), std::string::npos);
 }
 
+// Readers hash the names of the manifest.
+TEST(Cryptomatte, namesThatAreNoUtf8AreHashedAsTheManifestHasThem) {
+    FilmData film(1, kFilmHits);
+    film.pixels.front().samples = 1;
+    film.addHit(0, 0);
+    Image image(1, 1, {"R"});
+    addCryptomatte({"CryptoObject", {"K\xf6rper"}}, film, image);
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(valueOf(image, "CryptoObject00.R")),
+              cryptomatteId("K\xef\xbf\xbdrper")); // U+FFFD in place of the byte
+}
+
 } // namespace
 } // namespace metamarch
