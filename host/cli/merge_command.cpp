@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -81,8 +82,40 @@ void requireNoOverlap(const std::vector<Piece>& pieces) {
     throw Error(ErrorKind::inputRefused, fmt::format("no part has sample {} of pixel {},{}", sample, x, y));
 }
 
+// Throws Error(inputRefused) by the first pixel of the picture that no piece has from sample 0 on. A file may
+// claim any size, so this comes before memory is taken for the picture. The pieces do not overlap.
+void requireCovered(const std::vector<Piece>& pieces, const PixelRect& picture) {
+    std::vector<PixelRect> areas;
+    std::size_t covered = 0;
+    // Left and above of the first pixel that is missing is the border of the picture or of an area.
+    std::set<std::uint32_t> columns{0};
+    std::set<std::uint32_t> rows{0};
+    for (const Piece& piece : pieces) {
+        if (piece.span->firstSample == 0 && piece.span->film.samples() > 0) {
+            areas.push_back(piece.area);
+            covered += piece.area.pixelCount();
+            columns.insert(piece.area.right);
+            rows.insert(piece.area.bottom);
+        }
+    }
+    if (covered == picture.pixelCount()) {
+        return;
+    }
+    for (const std::uint32_t y : rows) {
+        for (const std::uint32_t x : columns) {
+            const bool isMissing = std::ranges::none_of(areas, [&](const PixelRect& area) {
+                return area.left <= x && x < area.right && area.top <= y && y < area.bottom;
+            });
+            if (x < picture.right && y < picture.bottom && isMissing) {
+                refuseMissing(0, x, y);
+            }
+        }
+    }
+}
+
 // Throws Error(inputRefused) where samples are missing.
 std::pair<FilmData, std::uint32_t> sumOf(const std::vector<Piece>& pieces, const PixelRect& picture) {
+    requireCovered(pieces, picture);
     render::FilmSum sum(picture, pieces.empty() ? 0 : pieces.front().span->film.parts());
     std::uint32_t most = 1;
     for (const Piece& piece : pieces) {

@@ -208,20 +208,6 @@ bool printsResults(const RenderOptions& options) {
            (!options.statsPath.empty() && isStandardOutput(options.statsPath));
 }
 
-// Throws Error(inputRefused) unless sums have the parts that the channels need, and triangles of the scene.
-void requireSumsOf(const render::FilmRun& run, const std::string& file, const std::uint32_t parts,
-                   const Scene& scene) {
-    for (const render::FilmSpan& span : run.spans) {
-        const bool isOfScene = std::ranges::all_of(span.film.pixels, [&](const FilmPixel& pixel) {
-            return pixel.seen.triangleId == kNoTriangle || pixel.seen.triangleId < scene.triangles.size();
-        });
-        if (span.film.parts() != parts || !isOfScene) {
-            throw Error(ErrorKind::inputRefused, fmt::format("{}: its sums are of another scene", file),
-                        {"resume"});
-        }
-    }
-}
-
 // One render and what it writes.
 class RenderJob {
   public:
@@ -343,9 +329,8 @@ bool RenderJob::isComplete(const render::RenderResult& result) const {
     return !result.isCancelled && result.settings.samplesPerPixel == settings_.samplesPerPixel;
 }
 
-// If the picture cannot be written, its samples are in the checkpoint.
+// If one of picture and checkpoint cannot be written, the other still is.
 void RenderJob::writeAtEnd(const render::RenderResult& result) {
-    // If one of checkpoint and picture cannot be written, the other is.
     const bool hasSums = checkpoint_ && !result.sums.spans.empty();
     std::exception_ptr checkpointFailure;
     if (hasSums && !isComplete(result)) {
@@ -419,7 +404,6 @@ void RenderJob::render() {
     if (resumed_) {
         control.start = takeRun(std::move(*resumed_), options_.resumePath, sums_, area,
                                 {settings_.firstSample, settings_.samplesPerPixel});
-        requireSumsOf(control.start, options_.resumePath, filmPartsOf(settings_.aovs()), *scene_);
     }
     if (checkpoint_) {
         checkpoint_->write(sums_, control.start.spans.empty() ? render::FilmRun{area, {}} : control.start);

@@ -148,6 +148,9 @@ class Reader {
         try {
             const Json json = Json::parse(text);
             FilmFile film = undescribed(json);
+            if (film.width == 0 || film.height == 0) {
+                file_.refuse("is cut off or damaged");
+            }
             for (std::size_t i = 0; i < film.runs.size(); ++i) {
                 FilmRun& run = film.runs[i];
                 if (!isWithin(run.area, film)) {

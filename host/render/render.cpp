@@ -47,8 +47,8 @@ std::vector<FilmPixel> cropped(const std::vector<FilmPixel>& film, const std::ui
 }
 
 // The sums over all spans.
-FilmData sumOf(FilmRun run) {
-    FilmData film = std::move(run.spans.front().film);
+FilmData sumOf(const FilmRun& run) {
+    FilmData film = run.spans.front().film;
     for (std::size_t i = 1; i < run.spans.size(); ++i) {
         addBlock(film, run.spans[i].film);
     }
@@ -73,6 +73,7 @@ class Render {
             request_.groups = groups_.ofTriangle;
             result_.cryptomatte = groups_.levels;
         }
+        requireStartOfScene();
         result_.size = {camera.width, camera.height};
         result_.area = settings.area.value_or(PixelRect{0, 0, camera.width, camera.height});
     }
@@ -105,9 +106,11 @@ class Render {
         PathRun run(sampler, work, {settings_.firstSample, settings_.samplesPerPixel}, control_,
                     settings_.adaptive);
         FilmRun shown;
+        std::uint32_t shownNext = settings_.firstSample;
         try {
             const auto show = [&](const RenderProgress& progress) {
                 shown = run.sums();
+                shownNext = progress.nextSample;
                 showPicture(progress, shown);
             };
             result_.isCancelled = !run.take(show);
@@ -116,12 +119,18 @@ class Render {
             result_.isCancelled = true;
         }
         result_.settings.samplesPerPixel = settings_.firstSample + run.samples();
-        FilmRun sums = lastSums(run, std::move(shown));
-        if (control_.keepsSums || result_.isCancelled) {
-            result_.sums = sums;
+        FilmRun sums;
+        try {
+            sums = run.sums();
+        } catch (const Error&) {
+            sums = std::move(shown);
+            result_.settings.samplesPerPixel = shownNext;
         }
-        result_.film = sums.spans.empty() ? FilmData(work.area.pixelCount(), work.request.parts)
-                                          : sumOf(std::move(sums));
+        result_.film =
+            sums.spans.empty() ? FilmData(work.area.pixelCount(), work.request.parts) : sumOf(sums);
+        if (control_.keepsSums || result_.isCancelled) {
+            result_.sums = std::move(sums);
+        }
     }
 
     RenderResult finish() {
@@ -136,6 +145,25 @@ class Render {
     }
 
   private:
+    // The start may come from anybody's file. Throws Error(inputRefused).
+    void requireStartOfScene() const {
+        const auto isOfScene = [&](const FilmPixel& pixel) {
+            return pixel.seen.triangleId == kNoTriangle ||
+                   pixel.seen.triangleId < scene_.scene->triangles.size();
+        };
+        const std::size_t groups = groups_.levels.empty() ? 0 : groups_.levels.front().nameOfGroup.size();
+        const auto isOfGroups = [&](const std::vector<HitCount>& hits) {
+            return std::ranges::all_of(hits, [&](const HitCount& hit) { return hit.group < groups; });
+        };
+        for (const FilmSpan& span : control_.start.spans) {
+            if (span.film.parts() != request_.parts || !std::ranges::all_of(span.film.pixels, isOfScene) ||
+                !std::ranges::all_of(span.film.hits, isOfGroups)) {
+                throw Error(ErrorKind::inputRefused, "the sums to go on from are of another scene",
+                            {"resume"});
+            }
+        }
+    }
+
     PathSettings pathSettings() const {
         PathSettings path = settings_.path.applied(scene_.shading->settings);
         path.eyeMedia = mediaAt(*scene_.structure, *scene_.shading, camera_.eye);
@@ -161,26 +189,20 @@ class Render {
         return samples;
     }
 
-    void showPicture(const RenderProgress& progress, const FilmRun& sums) {
+    // Borrows the sums: large pictures have no memory for two of them.
+    void showPicture(const RenderProgress& progress, FilmRun& sums) {
         if (!control_.onShow) {
             return;
         }
         RenderResult picture = result_;
         picture.isCancelled = !progress.isPassEnd || progress.nextSample < progress.endSample;
         picture.film = sumOf(sums);
-        picture.sums = sums;
+        picture.sums = std::move(sums);
         picture.settings.samplesPerPixel = progress.nextSample;
         picture.seconds.render = stopwatch_.seconds();
         lookAtFilm(picture);
         control_.onShow(progress, picture);
-    }
-
-    FilmRun lastSums(const PathRun& run, FilmRun shown) const {
-        try {
-            return run.sums();
-        } catch (const Error&) {
-            return shown;
-        }
+        sums = std::move(picture.sums);
     }
 
     const PreparedScene& scene_;

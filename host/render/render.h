@@ -32,7 +32,7 @@ struct RenderSettings {
     std::optional<PixelRect> area{}; // of the camera's picture; without one: all of it
     // The channels of the picture; empty: those that the integrator writes where nobody chooses.
     std::vector<Aov> channels{};
-    // Of its channels Z and t where there is nothing.
+    // The value of the channels Z and t where a ray hits nothing.
     float missDepth = std::numeric_limits<float>::infinity();
     // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
     std::string traversal{};
