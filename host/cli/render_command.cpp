@@ -3,11 +3,9 @@
 
 #include "metamarch/cli/checkpoint.h"
 #include "metamarch/cli/commands.h"
-#include "metamarch/cli/device_settings.h"
 #include "metamarch/cli/film_facts.h"
-#include "metamarch/cli/output_check.h"
-#include "metamarch/cli/picture_options.h"
 #include "metamarch/cli/process.h"
+#include "metamarch/cli/render_options.h"
 #include "metamarch/cli/render_report.h"
 #include "metamarch/cli/render_watch.h"
 #include "metamarch/cli/stage_log.h"
@@ -25,167 +23,18 @@
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/scene/file_digest.h"
 #include "metamarch/scene/import.h"
-#include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/view.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace metamarch::cli {
 namespace {
-
-enum class Backend { gpu, cpu };
-
-constexpr std::pair<std::string_view, Backend> kBackends[] = {{"gpu", Backend::gpu}, {"cpu", Backend::cpu}};
-
-constexpr std::pair<std::string_view, ProgressForm> kProgressForms[] = {{"line", ProgressForm::line},
-                                                                        {"json", ProgressForm::json}};
-
-struct RenderOptions : PictureOptions {
-    RenderOptions() : PictureOptions(64) {}
-
-    std::string outputPath;
-    Backend backend = Backend::gpu;
-    std::vector<std::string> aovs; // empty: what the integrator writes where nobody chooses
-    float missDepth = std::numeric_limits<float>::infinity();
-    PictureStorage storage;
-    std::optional<render::SampleRange> samples;
-    render::AdaptiveChoice adaptive;
-    std::optional<PixelRect> crop;
-    ProgressForm progress = ProgressForm::line;
-    std::optional<double> writeEvery; // seconds
-    std::optional<double> timeLimit;  // seconds
-    std::string checkpointPath;
-    std::string resumePath;
-    std::string statsPath;
-    bool isStamped = false;
-    bool quiet = false;
-    bool isVerbose = false;
-};
-
-// Sums of samples, which `merge` puts together, in place of a picture.
-bool isPart(const RenderOptions& options) { return lowerCaseEnding(options.outputPath) == ".part"; }
-
-// What does not go together in a render that is stopped, continued or divided.
-void checkRun(const RenderOptions& options) {
-    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
-    if (options.samples && !isPart(options)) {
-        refuse(
-            "--samples takes a part of the samples, which is no picture: name the output .part, and put the "
-            "parts together with `metamarch merge`");
-    }
-    const bool keepsSums = isPart(options) || !options.checkpointPath.empty() ||
-                           !options.resumePath.empty() || options.timeLimit;
-    if (options.path.integrator == Integrator::primary && keepsSums) {
-        refuse("`--integrator primary` takes one sample: it has no parts, checkpoint or time limit");
-    }
-    if (options.adaptive.isOn() && isPart(options)) {
-        refuse("--noise-threshold looks at all samples of a picture: it renders no .part");
-    }
-    if (options.timeLimit && options.samples) {
-        refuse("--time-limit and --samples exclude each other: a part has all its samples");
-    }
-    if (options.crop && (options.crop->right > options.size.x || options.crop->bottom > options.size.y)) {
-        refuse(fmt::format("--crop reaches beyond the picture of {} x {} pixels", options.size.x,
-                           options.size.y));
-    }
-    if (options.writeEvery && isStandardOutput(options.outputPath)) {
-        refuse("--write-every would write several pictures to standard output");
-    }
-}
-
-void checkArguments(const RenderOptions& options) {
-    if (options.backend == Backend::cpu && !(options.device.empty() && options.traversal.empty())) {
-        throw Error(
-            ErrorKind::invalidArgument,
-            "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
-            "for the gpu");
-    }
-    checkRun(options);
-    checkView(options.view, options.path.integrator);
-    checkStructure(options.structure);
-}
-
-render::RenderSettings settingsOf(const RenderOptions& options) {
-    render::RenderSettings settings;
-    settings.path = options.path;
-    settings.firstSample = options.samples ? options.samples->first : 0;
-    settings.samplesPerPixel = options.samples ? options.samples->end : options.samplesPerPixel;
-    settings.adaptive = options.adaptive;
-    settings.area = options.crop;
-    settings.traversal = options.traversal;
-    settings.missDepth = options.missDepth;
-    if (!options.aovs.empty()) {
-        settings.channels = chooseAovs(options.aovs, settings.writer());
-    }
-    if (!settings.traversal.empty()) {
-        render::requireTable(options.structure.table, settings.traversal); // before the scene is loaded
-    }
-    return settings;
-}
-
-void checkChannels(const RenderOptions& options) {
-    const std::vector<Aov> chosen = settingsOf(options).aovs();
-    if (isPart(options)) {
-        const auto needsScene = [](const Aov& aov) { return aov.isOfSeenPoint || aov.isCryptomatte(); };
-        if (const auto found = std::ranges::find_if(chosen, needsScene); found != chosen.end()) {
-            throw Error(ErrorKind::invalidArgument,
-                        fmt::format("{} follows from the scene, which a .part does not hold", found->name()),
-                        {"aov"});
-        }
-        return;
-    }
-    if (pictureFormatOf(options.outputPath, options.storage) != PictureFormat::exr) {
-        throw Error(ErrorKind::invalidArgument,
-                    fmt::format("{}: only an EXR has further channels", options.outputPath), {"aov"});
-    }
-    const auto staysExact = [](const Aov& aov) { return aov.isCryptomatte() || aov.name() == "P"; };
-    if (std::ranges::any_of(chosen, staysExact) && !options.storage.exr.isMultipart &&
-        options.storage.exr.compression == ExrCompression::dwaa) {
-        refuseLossyIds();
-    }
-}
-
-std::vector<NamedFile> outputsOf(const RenderOptions& options) {
-    return {{"--output", options.outputPath},
-            {"--stats", options.statsPath},
-            {"--checkpoint", options.checkpointPath}};
-}
-
-// Refuses bad outputs before the long work.
-void checkOutputs(const RenderOptions& options, const SettingList& given) {
-    if (isPart(options)) {
-        const OutputFile probe(options.outputPath);
-    } else {
-        checkWritable(options.outputPath, options.storage);
-    }
-    if (!options.aovs.empty()) {
-        checkChannels(options);
-    }
-    if (!isPart(options) && options.path.isTransparent &&
-        pictureFormatOf(options.outputPath, options.storage) == PictureFormat::jpeg) {
-        throw Error(ErrorKind::invalidArgument,
-                    fmt::format("{}: a JPEG cannot be transparent", options.outputPath), {"transparent"});
-    }
-    if (!options.statsPath.empty()) {
-        const OutputFile probe(options.statsPath);
-    }
-    const std::vector<NamedFile> outputs = outputsOf(options);
-    const NamedFile inputs[] = {{"SCENE", options.scenePath},
-                                {"--env", given.at("env").text()},
-                                {"--partition", given.at("partition").text()}};
-    checkOutputsDiffer(outputs, inputs);
-    // A checkpoint that is continued is also resumed.
-    const NamedFile resumed[] = {{"--resume", options.resumePath}};
-    checkOutputsDiffer(std::span(outputs).first(2), resumed);
-}
 
 // Writes `report`, which says what the rendering took, with a description of the scene.
 void writeStats(const nlohmann::ordered_json& report, const render::PreparedScene& scene,
@@ -453,134 +302,23 @@ void RenderJob::run() {
     render();
 }
 
-// "A:B", which begins no later than it ends.
-render::SampleRange parseSamples(const std::string& text) {
-    const std::size_t colon = text.find(':');
-    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
-    if (colon == std::string::npos) {
-        std::string hint;
-        try {
-            hint = fmt::format("; did you mean `--spp {}`?", parseCount(text, 1, kMostSamples));
-        } catch (const Error&) {
-        }
-        refuse("give A:B, the samples from number A to number B - 1" + hint);
-    }
-    const render::SampleRange range{parseCount(text.substr(0, colon), 0, kMostSamples),
-                                    parseCount(text.substr(colon + 1), 0, kMostSamples)};
-    if (range.first >= range.end) {
-        refuse("give A:B with A less than B");
-    }
-    return range;
-}
-
-void declareRun(SettingList& settings, RenderOptions& options) {
-    settings.beginGroup("Long renders, and renders in parts");
-    settings.choice("progress", options.progress, kProgressForms,
-                    "line: on a terminal; json: one line of JSON a second on standard error");
-    const NumberRange seconds{1e-3, 1e9, "seconds from 0.001 to 1e9"};
-    settings
-        .number("write-every", options.writeEvery, seconds,
-                "Also write the picture as it is, and the checkpoint, so often (or on the signal USR1)")
-        .withValueName("SECONDS");
-    settings
-        .number("time-limit", options.timeLimit, seconds,
-                "End with the pass over the picture that reaches this time")
-        .withValueName("SECONDS");
-    settings
-        .text("checkpoint", options.checkpointPath,
-              "Keep the samples taken here, each minute and when the render is ended early")
-        .withValueName("FILE");
-    settings.text("resume", options.resumePath, "Go on from this checkpoint or part").withValueName("FILE");
-    settings
-        .add("samples", Setting::Kind::value,
-             {[&options](const std::string& text) { options.samples = parseSamples(text); },
-              [&options] {
-                  return options.samples ? fmt::format("{}:{}", options.samples->first, options.samples->end)
-                                         : "";
-              }},
-             "Take the samples from A to B - 1 of each pixel; the output is a .part")
-        .withValueName("A:B")
-        .excludes({"spp"});
-    settings
-        .add("crop", Setting::Kind::value,
-             {[&options](const std::string& text) { options.crop = parseRect(text); },
-              [&options] {
-                  return options.crop ? fmt::format("{},{},{},{}", options.crop->left, options.crop->top,
-                                                    options.crop->right, options.crop->bottom)
-                                      : "";
-              }},
-             "Render the pixels from (x0,y0) up to, and without, (x1,y1)")
-        .withValueName("x0,y0,x1,y1");
-}
-
-void declareAll(SettingList& settings, RenderOptions& options) {
-    settings.positional("SCENE", options.scenePath,
-                        "glTF, GLB, OBJ, PLY, OFF or STL file; -: a GLB from standard input");
-    settings
-        .text("output", options.outputPath,
-              "Picture to write: .exr (all channels), .png, .jpg, .webp or .tif; .part: sums for `merge`; -: "
-              "to "
-              "standard output, as --format says (exr)")
-        .withShortName("o")
-        .withValueName("FILE")
-        .required();
-    settings.size("size", options.size, "Width and height in pixels");
-    settings.text("stats", options.statsPath, "Write what it took as JSON; -: to standard output")
-        .withValueName("FILE.json");
-    settings.flag("stamp", options.isStamped,
-                  "Say in an EXR's header when it was made and how long that took");
-    settings.flag("quiet", options.quiet, "Print nothing but errors and warnings");
-    settings
-        .flag("verbose", options.isVerbose,
-              "Also print the device, and each stage with its seconds, on standard error")
-        .excludes({"quiet"});
-    declareChannels(settings, options.aovs, options.missDepth);
-    settings.flag(
-        "transparent", options.path.isTransparent,
-        "The camera does not see the background or the environment, which light the scene all the same");
-    declareStorage(settings, options.storage);
-    declareCamera(settings, options.view);
-    declareTone(settings, options.tone);
-    settings.beginGroup("Device");
-    settings.choice("backend", options.backend, kBackends,
-                    "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
-    declareDevice(settings, options.device);
-    declareThreads(settings, options.threads);
-    declareTraversal(settings, "traversal", options.traversal,
-                     fmt::format("How rays find triangles (default {}, or what marches --table): {}",
-                                 traversals().front(), fmt::join(traversals(), " ")));
-    declareIntegrator(settings, options.path, std::size(kIntegrators));
-    declarePath(settings, options.path, options.samplesPerPixel);
-    settings
-        .number("noise-threshold", options.adaptive.threshold, {0.0, 1e6, "an error of at least 0"},
-                "Stop pixels once the standard error of their luminance, divided by its square root, is "
-                "less around them; 0: never")
-        .withValueName("E");
-    settings
-        .count("min-spp", options.adaptive.minSamples, 1, kMostSamples,
-               "Samples a pixel before the first is stopped")
-        .needs({"noise-threshold"});
-    declareRun(settings, options);
-    declareLight(settings, options.light);
-    declareImport(settings, options.import);
-    declareStructure(settings, options.structure);
-}
-
 } // namespace
 
 void writeMerged(const render::FilmFile& file, const std::string& name, FilmData film,
                  const std::uint32_t samples, const std::string& output) {
     RenderOptions options;
     SettingList settings;
-    declareAll(settings, options);
+    declareRender(settings, options);
     applyFacts(file.facts, name, settings);
     chooseTone(settings, options.path.integrator, options.tone);
     options.samplesPerPixel = samples;
+    options.outputPath = output;
+    checkFormat(options);
     render::RenderResult result;
     static_cast<render::RenderPlace&>(result) = placeIn(file.facts);
     result.settings = settingsOf(options);
     for (const Aov& aov : result.settings.aovs()) {
-        if (aov.isOfSeenPoint || aov.isCryptomatte()) {
+        if (aov.needsScene()) {
             throw Error(
                 ErrorKind::inputRefused,
                 fmt::format("{}: the channel {} follows from the scene, which sums do not hold; go on "
@@ -605,7 +343,7 @@ void writeMerged(const render::FilmFile& file, const std::string& name, FilmData
 Command makeRenderCommand() {
     const auto options = std::make_shared<RenderOptions>();
     Command command{"render", "Render a scene to a picture", {}, {}, {}, {}};
-    declareAll(command.settings, *options);
+    declareRender(command.settings, *options);
     command.footer =
         "Pixel (0,0) is top left.\n\n"
         "Example:\n  build/metamarch render scenes/objects.glb -o build/objects.exr --size 640x360 --spp 16";

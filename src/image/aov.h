@@ -56,6 +56,7 @@ struct Aov {
 
     std::vector<std::string> channels() const; // the single names
     bool isCryptomatte() const { return filmParts == kFilmHits; }
+    bool needsScene() const { return isOfSeenPoint || isCryptomatte(); } // the film does not suffice
     // What a user calls it: its only channel, or what its channels have before the dot. Empty for R G B.
     std::string name() const;
 };
