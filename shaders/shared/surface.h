@@ -72,23 +72,18 @@ SHARED_FN vec3 bendNormal(const vec3 normal, const vec3 geometricNormal, const v
     return isBent ? unitVector(halfVector) : turned;
 }
 
+// `facing` is the geometric normal on the side that was hit, and `tangent` is perpendicular to `normal`.
+SHARED_FN SurfaceFrame frameOf(const bool isBack, const vec3 facing, const vec3 normal, const vec3 tangent,
+                               const vec3 coatNormal) {
+    return SurfaceFrame(normal, isBack ? 1u : 0u, tangent, 0u, crossProduct(normal, tangent), 0u, coatNormal,
+                        0u, facing, 0u);
+}
+
 // Returns what makeSurfaceFrame returns for a flat surface without normal maps or tangents.
 SHARED_FN SurfaceFrame makeFlatFrame(const vec3 geometricNormal, const vec3 wo) {
     const bool isBack = dotProduct(geometricNormal, wo) < 0.0f;
     const vec3 facing = isBack ? -geometricNormal : geometricNormal;
-    const Basis any = basisAround(facing);
-    SurfaceFrame frame;
-    frame.normal = facing;
-    frame.isBack = isBack ? 1u : 0u;
-    frame.tangent = any.tangent;
-    frame.bitangent = crossProduct(facing, any.tangent);
-    frame.coatNormal = facing;
-    frame.geometricNormal = facing;
-    frame.padding0 = 0u;
-    frame.padding1 = 0u;
-    frame.padding2 = 0u;
-    frame.padding3 = 0u;
-    return frame;
+    return frameOf(isBack, facing, facing, basisAround(facing).tangent, facing);
 }
 
 // All vectors have unit length. `wo` points to where the ray came from; `geometricNormal` points out of the
@@ -99,20 +94,9 @@ SHARED_FN SurfaceFrame makeSurfaceFrame(const vec3 geometricNormal, const vec3 s
     const vec3 facing = isBack ? -geometricNormal : geometricNormal;
     const vec3 normal = bendNormal(shadingNormal, facing, wo);
     const vec3 projected = tangent - normal * dotProduct(tangent, normal);
-    const Basis any = basisAround(normal);
-    const vec3 along = dotProduct(projected, projected) > kLeastTangent ? unitVector(projected) : any.tangent;
-    SurfaceFrame frame;
-    frame.normal = normal;
-    frame.isBack = isBack ? 1u : 0u;
-    frame.tangent = along;
-    frame.bitangent = crossProduct(normal, along);
-    frame.coatNormal = bendNormal(coatNormal, facing, wo);
-    frame.geometricNormal = facing;
-    frame.padding0 = 0u;
-    frame.padding1 = 0u;
-    frame.padding2 = 0u;
-    frame.padding3 = 0u;
-    return frame;
+    const vec3 along = dotProduct(projected, projected) > kLeastTangent ? unitVector(projected)
+                                                                        : basisAround(normal).tangent;
+    return frameOf(isBack, facing, normal, along, bendNormal(coatNormal, facing, wo));
 }
 
 // KHR_materials_dispersion: a path that meets a dispersive volume chooses one of the three channels with
