@@ -84,6 +84,7 @@ class RenderJob {
     const SettingList& given_;
     StageLog log_;
     render::RenderSettings settings_;
+    std::optional<Denoiser> denoiser_;
     std::optional<vulkan::Context> context_;
     std::optional<vulkan::Device> device_;
     std::optional<Checkpoint> checkpoint_;
@@ -156,15 +157,16 @@ void RenderJob::write(const render::RenderResult& result) {
     const std::uint32_t wanted = std::exchange(options_.samplesPerPixel, result.settings.samplesPerPixel);
     const std::string changed = given_.changedText(settingsOfTheRun());
     options_.samplesPerPixel = wanted;
-    render::writePicture(result,
-                         {.software = programVersion(),
-                          .sceneFile = options_.scenePath,
-                          .camera = sceneCamera_,
-                          .options = changed,
-                          .isStamped = options_.isStamped,
-                          .sceneSha1 = sceneSha1_,
-                          .lens = options_.view.lens},
-                         options_.outputPath, options_.tone, options_.storage);
+    render::writePicture(
+        result,
+        {.software = programVersion(),
+         .sceneFile = options_.scenePath,
+         .camera = sceneCamera_,
+         .options = changed,
+         .isStamped = options_.isStamped,
+         .sceneSha1 = sceneSha1_,
+         .lens = options_.view.lens},
+        {options_.outputPath, options_.tone, options_.storage, denoiser_ ? &*denoiser_ : nullptr});
 }
 
 // A stream takes one picture, the last.
@@ -296,6 +298,9 @@ void RenderJob::run() {
     checkOutputs(options_, given_);
     threads_.emplace(options_.threads);
     settings_ = settingsOf(options_);
+    if (options_.isDenoised) {
+        denoiser_.emplace();
+    }
     openCheckpoint();
     openDevice();
     loadScene();
@@ -337,7 +342,7 @@ void writeMerged(const render::FilmFile& file, const std::string& name, FilmData
                           .options = settings.changedText(settingsOfTheRun()),
                           .sceneSha1 = render::factNamed(file.facts, "sceneSha1"),
                           .lens = options.view.lens},
-                         output, options.tone, options.storage);
+                         {output, options.tone, options.storage});
 }
 
 Command makeRenderCommand() {

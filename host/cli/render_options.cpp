@@ -41,6 +41,12 @@ void checkRun(const RenderOptions& options) {
     if (options.adaptive.isOn() && isPart(options)) {
         refuse("--noise-threshold looks at all samples of a picture: it renders no .part");
     }
+    if (options.isDenoised && (options.path.integrator == Integrator::primary || isPart(options))) {
+        throw Error(ErrorKind::invalidArgument,
+                    isPart(options) ? "a .part holds sums; a picture of them is not denoised"
+                                    : "the integrator primary has no noise",
+                    {"denoise"});
+    }
     if (options.timeLimit && options.samples) {
         refuse("--time-limit and --samples exclude each other: a part has all its samples");
     }
@@ -162,6 +168,10 @@ void declareRender(SettingList& settings, RenderOptions& options) {
     settings.flag(
         "transparent", options.path.isTransparent,
         "The camera does not see the background or the environment, which light the scene all the same");
+    settings.flag(
+        "denoise", options.isDenoised,
+        "Remove noise with Open Image Denoise, if it is installed; in an EXR the channels noisy.* are "
+        "the picture without it");
     declareStorage(settings, options.storage);
     declareCamera(settings, options.view);
     declareTone(settings, options.tone);

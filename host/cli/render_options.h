@@ -24,6 +24,7 @@ struct RenderOptions : PictureOptions {
     std::vector<std::string> aovs; // empty: what the integrator writes where nobody chooses
     float missDepth = std::numeric_limits<float>::infinity();
     PictureStorage storage;
+    bool isDenoised = false;
     std::optional<render::SampleRange> samples;
     render::AdaptiveChoice adaptive;
     std::optional<PixelRect> crop;

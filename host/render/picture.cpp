@@ -5,9 +5,14 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <ctime>
+#include <iterator>
+#include <vector>
 
 namespace metamarch::render {
 namespace {
@@ -62,12 +67,34 @@ void renameAlpha(Image& image) {
     }
 }
 
+void removeNoise(const RenderResult& result, const Denoiser& denoiser, Image& image) {
+    const Aov guideRows[] = {aovNamed("albedo"), aovNamed("Ns")};
+    const Image guideImage = filmImage(result.film, {}, image.width, image.height, guideRows);
+    const DenoiserGuides guides = denoiser.filterGuides(
+        {colorsIn(guideImage, "albedo.R"), colorsIn(guideImage, "Ns.X")}, image.width, image.height);
+    for (const Aov& row : noisyAovs(result.settings.aovs())) {
+        const std::string noisy = row.channels().front();
+        const std::size_t changed = image.findChannel(noisy.substr(kNoisy.size())).value();
+        const std::vector<glm::vec3> clean =
+            denoiser.filterColor(colorsIn(image, noisy), guides, image.width, image.height);
+        for (std::size_t i = 0; i < clean.size(); ++i) {
+            std::copy_n(glm::value_ptr(clean[i]), 3, &image.pixels[i * image.channels.size() + changed]);
+        }
+    }
+}
+
 } // namespace
 
-Image imageOf(const RenderResult& result) {
-    Image image =
-        filmImage(result.film, result.seen, static_cast<int>(result.area.width()),
-                  static_cast<int>(result.area.height()), result.settings.aovs(), result.settings.missDepth);
+Image imageOf(const RenderResult& result, const Denoiser* const denoiser) {
+    std::vector<Aov> aovs = result.settings.aovs();
+    if (denoiser != nullptr) {
+        std::ranges::copy(noisyAovs(aovs), std::back_inserter(aovs));
+    }
+    Image image = filmImage(result.film, result.seen, static_cast<int>(result.area.width()),
+                            static_cast<int>(result.area.height()), aovs, result.settings.missDepth);
+    if (denoiser != nullptr) {
+        removeNoise(result, *denoiser, image);
+    }
     image.left = static_cast<int>(result.area.left);
     image.top = static_cast<int>(result.area.top);
     image.fullWidth = static_cast<int>(result.size.x);
@@ -110,15 +137,17 @@ glm::mat4 worldToNdc(const SceneCamera& camera, const float aspect) {
     return glm::mat4(projection * glm::dmat4(worldToCamera(camera)));
 }
 
-void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
-                  const ToneMapping& toneMapping, const PictureStorage& storage) {
-    Image image = imageOf(result);
+void writePicture(const RenderResult& result, const PictureOrigin& origin, const PictureTarget& target) {
+    Image image = imageOf(result, target.denoiser);
     addHeader(result, origin, image);
+    if (target.denoiser != nullptr) {
+        image.attributes.emplace_back("metamarch/denoiser", target.denoiser->version());
+    }
     if (!result.settings.isPrimary() && !result.settings.path.isTransparent &&
-        pictureFormatOf(path, storage) != PictureFormat::exr) {
+        pictureFormatOf(target.path, target.storage) != PictureFormat::exr) {
         renameAlpha(image);
     }
-    writeImage(image, path, toneMapping, storage);
+    writeImage(image, target.path, target.toneMapping, target.storage);
 }
 
 } // namespace metamarch::render

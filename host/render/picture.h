@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Turns the result of a render into a picture and writes it to a file.
 #pragma once
+#include "metamarch/image/denoiser.h"
 #include "metamarch/image/image.h"
 #include "metamarch/image/image_file.h"
 #include "metamarch/image/tone_mapping.h"
@@ -13,8 +14,9 @@
 
 namespace metamarch::render {
 
-// Returns an image with the channels of RenderSettings::aovs().
-Image imageOf(const RenderResult& result);
+// Returns an image with the channels of RenderSettings::aovs(). A denoiser removes the noise of R G B, direct
+// and indirect; what they were is in the channels noisyAovs() then. Throws what Denoiser throws.
+Image imageOf(const RenderResult& result, const Denoiser* denoiser = nullptr);
 
 // Facts for the header of the file that RenderResult does not have.
 struct PictureOrigin {
@@ -33,10 +35,17 @@ struct PictureOrigin {
 glm::mat4 worldToCamera(const SceneCamera& camera);
 glm::mat4 worldToNdc(const SceneCamera& camera, float aspect);
 
+// Where and how a picture is written.
+struct PictureTarget {
+    std::filesystem::path path;
+    ToneMapping toneMapping{};
+    PictureStorage storage{};
+    const Denoiser* denoiser = nullptr; // none: the picture stays as it is
+};
+
 // Writes imageOf(result) with a header that says how the picture was made. Unless it is stamped, nothing in
 // the file depends on the clock. The path tracer's pictures but EXR are opaque, because the path tracer draws
-// the background too, unless PathChoice::isTransparent. Throws what writeImage throws.
-void writePicture(const RenderResult& result, const PictureOrigin& origin, const std::filesystem::path& path,
-                  const ToneMapping& toneMapping = {}, const PictureStorage& storage = {});
+// the background too, unless PathChoice::isTransparent. Throws what writeImage and imageOf throw.
+void writePicture(const RenderResult& result, const PictureOrigin& origin, const PictureTarget& target);
 
 } // namespace metamarch::render

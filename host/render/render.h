@@ -4,7 +4,7 @@
 //     const PreparedScene scene = ...;  // builds structure and light; serves any number of pictures
 //     const DeviceScene onDevice(device, scene);
 //     const RenderResult result = renderPicture(onDevice, camera, settings);
-//     writePicture(result, origin, "picture.exr");
+//     writePicture(result, origin, {"picture.exr"});
 #pragma once
 #include "metamarch/image/aov.h"
 #include "metamarch/image/cryptomatte.h"

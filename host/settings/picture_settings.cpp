@@ -53,7 +53,7 @@ void declareChannels(SettingList& list, std::vector<std::string>& names, float& 
     list.beginGroup("Channels of an EXR");
     std::vector<std::string> known;
     for (const Aov& aov : aovs()) {
-        if (aov.use != AovUse::always) {
+        if (aov.use == AovUse::usual || aov.use == AovUse::asked) {
             known.push_back(aov.name());
         }
     }

@@ -141,6 +141,7 @@ void drawRenderer(ViewerState& state) {
         settings.samples = static_cast<std::uint32_t>(std::clamp(samples, 1, static_cast<int>(kMostSamples)));
     }
     drawTraversals(state);
+    ImGui::Checkbox("denoise", &settings.isDenoised);
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);
     }

@@ -46,7 +46,7 @@ PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedD
 
 std::string PictureSaver::save(const ProgressiveImage& progressive, const RenderRequest& request,
                                const std::string& traversal, const ViewerState& state,
-                               const std::string& ending) const {
+                               const std::string& ending, const Denoiser* const denoiser) const {
     if (!progressive.isWhole()) {
         throw Error(ErrorKind::invalidArgument, "parts of the picture are still empty: save it in a moment");
     }
@@ -72,7 +72,8 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.seconds.render = progressive.seconds();
     const render::PictureOrigin origin{
         .software = software, .sceneFile = file.string(), .camera = request.camera, .lens = request.lens};
-    render::writePicture(result, origin, name, state.settings.tone);
+    render::writePicture(result, origin,
+                         {.path = name, .toneMapping = state.settings.tone, .denoiser = denoiser});
     return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
 }
 

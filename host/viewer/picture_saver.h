@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Saves the window's pictures to files, with the same code as `metamarch render`.
 #pragma once
+#include "metamarch/image/denoiser.h"
 #include "metamarch/viewer/progressive_image.h"
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/vulkan/device.h"
@@ -15,11 +16,12 @@ class PictureSaver {
 
     // Writes a file into the current folder; its name is the scene's name with the next free number. An
     // `ending` of ".png" saves what the left viewport shows, at the size of the progressive image; ".exr"
-    // saves the path tracer's film with all its channels. Returns a line for the user. Throws
-    // Error(outputNotWritable), and Error(invalidArgument) for an EXR of a view or for a picture that still
-    // has empty parts.
+    // saves the path tracer's film with all its channels. A denoiser removes the noise of both. Returns a
+    // line for the user. Throws Error(outputNotWritable), and Error(invalidArgument) for an EXR of a view or
+    // for a picture that still has empty parts.
     std::string save(const ProgressiveImage& progressive, const RenderRequest& request,
-                     const std::string& traversal, const ViewerState& state, const std::string& ending) const;
+                     const std::string& traversal, const ViewerState& state, const std::string& ending,
+                     const Denoiser* denoiser) const;
 
   private:
     std::string software;

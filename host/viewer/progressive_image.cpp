@@ -2,8 +2,10 @@
 #include "metamarch/viewer/progressive_image.h"
 
 #include "metamarch/shared/primary.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
+#include <span>
 
 namespace metamarch::viewer {
 namespace {
@@ -24,6 +26,7 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
     pictureSize = size;
     isToClear = true;
     unresolved.clear();
+    denoised.clear();
     const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
     if (request.view) {
         if (!inspector) {
@@ -51,10 +54,10 @@ bool ProgressiveImage::advance(const double seconds) {
         inspector->advance(seconds);
         return true;
     }
-    render::PathTracer& tracer = path->tracer;
-    if (tracer.samples() >= request.endSample) {
+    if (isFinished()) {
         return false;
     }
+    render::PathTracer& tracer = path->tracer;
     unresolved.push_back(tracer.advance(request.endSample, samplesAtOnce(tracer.samples()), seconds));
     return true;
 }
@@ -82,15 +85,47 @@ void ProgressiveImage::setTone(const ToneMapping& toneMapping) {
         return;
     }
     tone = toneMapping;
+    if (showsDenoised()) {
+        writeDenoised();
+    } else if (path && !request.view) {
+        unresolved = {path->tracer.begunTiles()};
+    }
+}
+
+void ProgressiveImage::setDenoiser(const Denoiser* const usedDenoiser) {
+    if (denoiser == usedDenoiser) {
+        return;
+    }
+    denoiser = usedDenoiser;
+    denoised.clear();
     if (path && !request.view) {
         unresolved = {path->tracer.begunTiles()};
     }
 }
 
+void ProgressiveImage::denoise() {
+    if (denoised.take() && showsDenoised()) {
+        writeDenoised();
+    }
+    if (denoiser != nullptr && !request.view && denoised.wants(wholeSamples(), isFinished())) {
+        denoised.begin(*denoiser, film(), pictureSize, wholeSamples());
+    }
+}
+
+void ProgressiveImage::writeDenoised() {
+    const std::vector<std::uint32_t> pixels = denoised.pixels(tone);
+    vulkan::write(device, picture(), 0, std::as_bytes(std::span(pixels)));
+}
+
+bool ProgressiveImage::isFinished() const { return path->tracer.samples() >= request.endSample; }
+
 void ProgressiveImage::record(vulkan::Commands& commands) {
     if (isToClear) {
         commands.fill(picture(), 0);
         isToClear = false;
+    }
+    if (showsDenoised()) {
+        unresolved.clear();
     }
     for (const render::TileRange& tiles : unresolved) {
         path->resolver.resolve(commands, tiles, pictureSize, tone);

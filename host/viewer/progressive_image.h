@@ -6,6 +6,7 @@
 #include "metamarch/render/path_tracer.h"
 #include "metamarch/render/resolver.h"
 #include "metamarch/shading/view.h"
+#include "metamarch/viewer/denoised_picture.h"
 #include "metamarch/viewer/shader_overrides.h"
 
 #include <cstdint>
@@ -48,6 +49,12 @@ class ProgressiveImage {
     double seconds() const;
 
     void setTone(const ToneMapping& toneMapping);
+    // With a denoiser, which must outlive this object, denoise() replaces the path tracer's picture by one
+    // without noise.
+    void setDenoiser(const Denoiser* usedDenoiser);
+    // Call it between two frames. Throws what Denoiser throws.
+    void denoise();
+    bool isDenoising() const { return denoised.isWorking(); }
 
     // Brings picture() up to date with what advance() has done.
     void record(vulkan::Commands& commands);
@@ -75,6 +82,9 @@ class ProgressiveImage {
     };
 
     void clear();
+    bool isFinished() const;
+    bool showsDenoised() const { return denoiser != nullptr && !request.view && !denoised.isEmpty(); }
+    void writeDenoised();
 
     const vulkan::Device& device;
     const render::DeviceScene& scene;
@@ -87,6 +97,8 @@ class ProgressiveImage {
     RenderRequest request;
     glm::uvec2 pictureSize{0};
     ToneMapping tone;
+    const Denoiser* denoiser = nullptr;
+    DenoisedPicture denoised;
     bool isToClear = false;                    // the buffer still holds the picture before start()
     std::vector<render::TileRange> unresolved; // tiles of the film that picture() does not show yet
     double secondsBefore = 0.0;                // the path tracer's deviceSeconds at start()

@@ -50,6 +50,23 @@ void SplitView::setTone(const ToneMapping& toneMapping) {
     }
 }
 
+void SplitView::setDenoiser(const Denoiser* const denoiser) {
+    for (const auto& viewport : viewports) {
+        viewport->setDenoiser(denoiser);
+    }
+}
+
+void SplitView::denoise() {
+    for (const auto& viewport : viewports) {
+        viewport->denoise();
+    }
+}
+
+bool SplitView::isDenoising() const {
+    return std::ranges::any_of(viewports,
+                               [](const auto& viewport) { return viewport->fineImage().isDenoising(); });
+}
+
 bool SplitView::isWhole() const {
     return std::ranges::all_of(viewports, [](const auto& viewport) { return viewport->isWhole(); });
 }

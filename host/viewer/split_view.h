@@ -27,6 +27,10 @@ class SplitView {
 
     void start(const RenderRequest& request);
     void setTone(const ToneMapping& toneMapping);
+    // Removes the noise of the fine pictures, as ProgressiveImage does.
+    void setDenoiser(const Denoiser* denoiser);
+    void denoise();
+    bool isDenoising() const;
 
     // Does the work between two frames: the coarse pictures, as far as the time allows; once they are whole,
     // one submission for each viewport. Returns false if nothing is left to do. Throws what

@@ -68,9 +68,9 @@ class Viewer {
     void run() {
         Stopwatch frame;
         while (!window.isClosing()) {
-            const double nap = quietFrames < kFramesAfterEvent ? 0.0
-                               : scenes.isBusy()               ? kBusySeconds
-                                                               : kIdleSeconds;
+            const double nap = quietFrames < kFramesAfterEvent              ? 0.0
+                               : scenes.isBusy() || splitView.isDenoising() ? kBusySeconds
+                                                                            : kIdleSeconds;
             const Stopwatch asleep;
             const Input input = window.poll(nap);
             quietFrames = asleep.seconds() < nap ? 0 : quietFrames + 1;
@@ -221,7 +221,7 @@ class Viewer {
         }
         try {
             state.say(saver.save(splitView.progressive(), splitView.shown(), splitView.leftTraversal(), state,
-                                 ending));
+                                 ending, chosenDenoiser()));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -257,17 +257,34 @@ class Viewer {
                 splitView.make(*deviceScene, state.traversals(), state.size, shaders.overrides());
             }
             splitView.setTone(now.tone);
+            splitView.setDenoiser(chosenDenoiser());
             if (std::exchange(isStale, false) || areOthers) {
                 splitView.start(makeRenderRequest());
             }
         });
     }
 
+    // Returns null if noise stays. Loads the library when it is first wanted, and says so if it is not there.
+    const Denoiser* chosenDenoiser() {
+        if (state.settings.isDenoised && !denoiser) {
+            try {
+                denoiser.emplace();
+            } catch (const Error& error) {
+                state.settings.isDenoised = false;
+                state.say(error.what());
+            }
+        }
+        return state.settings.isDenoised ? &*denoiser : nullptr;
+    }
+
     // Returns true if the device has worked.
     bool trace() {
         bool hasWorked = false;
         if (!splitView.isEmpty()) {
-            attempt([&] { hasWorked = splitView.advance(); });
+            attempt([&] {
+                hasWorked = splitView.advance();
+                splitView.denoise();
+            });
         }
         return hasWorked;
     }
@@ -350,8 +367,9 @@ class Viewer {
     Controls controls;
     ViewerState state;
 
+    std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
-    SplitView splitView;   // uses the device scene
+    SplitView splitView;   // uses the device scene and the denoiser
     bool isStale = false;  // the picture must begin anew
     bool isHalted = false; // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};

@@ -34,6 +34,7 @@ struct Settings {
     std::string secondTraversal; // of the right viewport; empty: there is one viewport
     float splitAt = 0.5f;        // the split line's place, as a fraction of the window's width
     ToneMapping tone;
+    bool isDenoised = false;
     std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
     std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;

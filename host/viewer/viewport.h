@@ -18,6 +18,8 @@ class Viewport {
     // Begins a new picture. The size of the coarse picture is such that it takes the device about `seconds`.
     void start(const RenderRequest& request, double seconds);
     void setTone(const ToneMapping& toneMapping);
+    void setDenoiser(const Denoiser* denoiser) { fine.setDenoiser(denoiser); }
+    void denoise() { fine.denoise(); }
 
     // Continues in one submission of about `seconds`. Returns false if nothing is left to do.
     bool advance(double seconds);

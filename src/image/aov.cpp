@@ -93,6 +93,26 @@ constexpr Aov kAovs[] = {
      .writer = AovWriter::pathTracer,
      .precision = AovPrecision::small,
      .filmParts = kFilmLight},
+    {.names = "noisy.R noisy.G noisy.B",
+     .meaning = "R G B before the noise was removed",
+     .value = [](const AovPixel& pixel) { return meanRadiance(pixel.film); },
+     .use = AovUse::denoised,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small},
+    {.names = "noisy.direct.R noisy.direct.G noisy.direct.B",
+     .meaning = "direct before the noise was removed",
+     .value = [](const AovPixel& pixel) { return pixel.light.direct / counted(pixel); },
+     .use = AovUse::denoised,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
+    {.names = "noisy.indirect.R noisy.indirect.G noisy.indirect.B",
+     .meaning = "indirect before the noise was removed",
+     .value = [](const AovPixel& pixel) { return pixel.light.indirect / counted(pixel); },
+     .use = AovUse::denoised,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
     {.names = "P.X P.Y P.Z",
      .meaning = "point in world space that the first sample sees; 0 for a miss",
      .value = [](const AovPixel& pixel) { return pixel.seen.position; },
@@ -168,29 +188,33 @@ std::vector<std::string> Aov::channels() const {
 
 std::string Aov::name() const {
     const std::vector<std::string> all = channels();
-    const std::size_t dot = all.front().find('.');
+    const std::size_t dot = all.front().rfind('.');
     return all.size() == 1 ? all.front() : dot == std::string::npos ? "" : all.front().substr(0, dot);
 }
 
 std::span<const Aov> aovs() { return kAovs; }
 
 std::vector<Aov> usualAovs(const AovWriter writer) {
-    return rowsWhere([&](const Aov& aov) { return aov.use != AovUse::asked && isWrittenBy(aov, writer); });
+    return rowsWhere([&](const Aov& aov) {
+        return (aov.use == AovUse::always || aov.use == AovUse::usual) && isWrittenBy(aov, writer);
+    });
 }
 
 std::vector<Aov> chooseAovs(const std::span<const std::string> names, const AovWriter writer) {
     if (names.size() == 1 && names.front() == "all") {
-        return rowsWhere([&](const Aov& aov) { return isWrittenBy(aov, writer); });
+        return rowsWhere(
+            [&](const Aov& aov) { return aov.use != AovUse::denoised && isWrittenBy(aov, writer); });
     }
     for (const std::string& name : names) {
         const auto* const found =
             std::ranges::find_if(kAovs, [&](const Aov& aov) { return !name.empty() && aov.name() == name; });
-        if (found == std::end(kAovs)) {
+        if (found == std::end(kAovs) || found->use == AovUse::denoised) {
             std::vector<std::string> known;
             for (const Aov& aov : kAovs) {
-                known.push_back(aov.name());
+                if (aov.use == AovUse::usual || aov.use == AovUse::asked) {
+                    known.push_back(aov.name());
+                }
             }
-            std::erase(known, "");
             refuse(fmt::format("'{}' is no channel; there are {}, and `all` alone", name,
                                fmt::join(known, " ")));
         }
@@ -200,6 +224,18 @@ std::vector<Aov> chooseAovs(const std::span<const std::string> names, const AovW
     }
     return rowsWhere([&](const Aov& aov) {
         return aov.use == AovUse::always || std::ranges::find(names, aov.name()) != names.end();
+    });
+}
+
+const Aov& aovNamed(const std::string_view name) {
+    return *std::ranges::find_if(kAovs, [&](const Aov& aov) { return aov.name() == name; });
+}
+
+std::vector<Aov> noisyAovs(const std::span<const Aov> chosen) {
+    return rowsWhere([&](const Aov& aov) {
+        return aov.use == AovUse::denoised && std::ranges::any_of(chosen, [&](const Aov& other) {
+                   return kNoisy + other.channels().front() == aov.channels().front();
+               });
     });
 }
 
@@ -227,7 +263,9 @@ std::string aovText() {
     for (const Aov& aov : kAovs) {
         text += fmt::format("{:{}}  {}{}{}\n", aov.names, width, aov.meaning,
                             aov.writer == AovWriter::pathTracer ? " (not by primary)" : "",
-                            aov.use == AovUse::asked ? " (if asked)" : "");
+                            aov.use == AovUse::asked      ? " (if asked)"
+                            : aov.use == AovUse::denoised ? " (if denoised)"
+                                                          : "");
     }
     return text;
 }

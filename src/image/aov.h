@@ -15,8 +15,9 @@
 namespace metamarch {
 
 enum class AovWriter { everyIntegrator, pathTracer }; // pathTracer: path, direct and ao
-enum class AovKind { picture, work };       // work: counts of a traversal, which comparisons do not judge
-enum class AovUse { always, usual, asked }; // usual: written where nobody chooses
+enum class AovKind { picture, work }; // work: counts of a traversal, which comparisons do not judge
+// usual: written where nobody chooses; denoised: written beside what a denoiser has changed.
+enum class AovUse { always, usual, asked, denoised };
 // small: 16-bit floats are precise enough for a picture of smaller size.
 enum class AovPrecision { small, full };
 
@@ -57,7 +58,7 @@ struct Aov {
     std::vector<std::string> channels() const; // the single names
     bool isCryptomatte() const { return filmParts == kFilmHits; }
     bool needsScene() const { return isOfSeenPoint || isCryptomatte(); } // the film does not suffice
-    // What a user calls it: its only channel, or what its channels have before the dot. Empty for R G B.
+    // What a user calls it: its only channel, or what its channels have before the last dot. Empty for R G B.
     std::string name() const;
 };
 
@@ -71,6 +72,14 @@ std::vector<Aov> usualAovs(AovWriter writer);
 // single "all" stands for every row that `writer` writes. Throws Error(invalidArgument) for other names, and
 // for rows that `writer` does not write.
 std::vector<Aov> chooseAovs(std::span<const std::string> names, AovWriter writer);
+
+// Returns the row of that name, which exists.
+const Aov& aovNamed(std::string_view name);
+
+// Returns the rows that hold what the rows `chosen` have before a denoiser changes them: their names are
+// those of `chosen` after "noisy.".
+std::vector<Aov> noisyAovs(std::span<const Aov> chosen);
+inline const std::string kNoisy = "noisy.";
 
 // Returns the bits kFilm… that the rows need.
 std::uint32_t filmPartsOf(std::span<const Aov> chosen);

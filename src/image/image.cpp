@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/image/image.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 
 namespace metamarch {
@@ -67,5 +69,14 @@ void Image::append(const Image& other) {
 float& Image::at(int x, int y, std::size_t channel) { return pixels[pixelIndex(*this, x, y, channel)]; }
 
 float Image::at(int x, int y, std::size_t channel) const { return pixels[pixelIndex(*this, x, y, channel)]; }
+
+std::vector<glm::vec3> colorsIn(const Image& image, const std::string_view first) {
+    const std::size_t channel = image.findChannel(first).value();
+    std::vector<glm::vec3> colors(image.pixelCount());
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        colors[i] = glm::make_vec3(&image.pixels[i * image.channels.size() + channel]);
+    }
+    return colors;
+}
 
 } // namespace metamarch

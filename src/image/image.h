@@ -48,4 +48,7 @@ struct Image {
     std::vector<std::pair<std::string, ImageAttribute>> attributes;
 };
 
+// Returns the colours in the channel `first` and the two that follow it.
+std::vector<glm::vec3> colorsIn(const Image& image, std::string_view first);
+
 } // namespace metamarch

@@ -238,8 +238,8 @@ TEST_P(Picture, writesHowItWasMade) {
     RenderSettings settings = by(Integrator::direct, 2);
     settings.path.seed = 5;
     const RenderResult result = render(settings);
-    render::writePicture(result, {"metamarch 0", "ball.glb", view, "--spp 2"}, folder / "a.exr");
-    render::writePicture(result, {"metamarch 0", "ball.glb", view}, folder / "a.PNG");
+    render::writePicture(result, {"metamarch 0", "ball.glb", view, "--spp 2"}, {folder / "a.exr"});
+    render::writePicture(result, {"metamarch 0", "ball.glb", view}, {folder / "a.PNG"});
     const Image exr = readImage(folder / "a.exr");
     std::map<std::string, std::string> header; // its texts
     for (const auto& [name, value] : exr.attributes) {
