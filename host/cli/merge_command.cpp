@@ -33,9 +33,14 @@ struct Piece {
     std::string file;
     PixelRect area;
     const render::FilmSpan* span;
+    const render::FilmRun* run; // of the span
 
     std::uint32_t endSample() const { return span->firstSample + span->film.samples(); }
 };
+
+[[noreturn]] void refuseOtherChannels(const std::string& a, const std::string& b) {
+    throw Error(ErrorKind::inputRefused, fmt::format("{} and {} hold sums of other channels", a, b));
+}
 
 // In the order of samples, whatever the order of the files.
 std::vector<Piece> piecesOf(const std::vector<std::string>& names,
@@ -45,10 +50,9 @@ std::vector<Piece> piecesOf(const std::vector<std::string>& names,
         for (const render::FilmRun& run : files[i].runs) {
             for (const render::FilmSpan& span : run.spans) {
                 if (!pieces.empty() && span.film.parts() != pieces.front().span->film.parts()) {
-                    throw Error(ErrorKind::inputRefused, fmt::format("{} and {} hold sums of other channels",
-                                                                     pieces.front().file, names[i]));
+                    refuseOtherChannels(pieces.front().file, names[i]);
                 }
-                pieces.push_back({names[i], run.area, &span});
+                pieces.push_back({names[i], run.area, &span, &run});
             }
         }
     }
@@ -140,6 +144,29 @@ std::pair<FilmData, std::uint32_t> sumOf(const std::vector<Piece>& pieces, const
     return {sum.take(), most};
 }
 
+// What the first samples of the picture's pixels see, if the parts know it. The pieces cover the picture.
+std::vector<SeenPoint> seenIn(const std::vector<Piece>& pieces, const PixelRect& picture) {
+    std::vector<SeenPoint> seen;
+    for (const Piece& piece : pieces) {
+        if (piece.span->firstSample != 0) {
+            break;
+        }
+        if (piece.run->seen.empty() != pieces.front().run->seen.empty()) {
+            refuseOtherChannels(pieces.front().file, piece.file);
+        }
+        if (piece.run->seen.empty()) {
+            continue;
+        }
+        seen.resize(picture.pixelCount());
+        const std::size_t width = piece.area.width();
+        for (std::uint32_t y = piece.area.top; y < piece.area.bottom; ++y) {
+            const auto* const row = piece.run->seen.data() + (y - piece.area.top) * width;
+            std::copy_n(row, width, seen.data() + std::size_t{y} * picture.width() + piece.area.left);
+        }
+    }
+    return seen;
+}
+
 void runMerge(const MergeOptions& options) {
     const bool isPart = lowerCaseEnding(options.outputPath) == ".part";
     if (isPart) {
@@ -163,7 +190,7 @@ void runMerge(const MergeOptions& options) {
     const std::string& first = pieces.empty() ? options.parts.front() : pieces.front().file;
     const auto firstFile = std::ranges::find(options.parts, first) - options.parts.begin();
     const render::FilmFile& head = files[static_cast<std::size_t>(firstFile)];
-    const render::FilmFile merged{head.facts, head.sceneFile, head.width, head.height, {}};
+    const render::FilmFile merged{head.facts, head.sceneFile, head.width, head.height, head.cryptomatte, {}};
     std::string what;
     if (isPart) {
         std::vector<render::FilmRun> runs;
@@ -173,8 +200,9 @@ void runMerge(const MergeOptions& options) {
         render::writeFilmFile(merged, runs, options.outputPath);
         what = "a part of several";
     } else {
-        auto [film, samples] = sumOf(pieces, {0, 0, merged.width, merged.height});
-        writeMerged(merged, first, std::move(film), samples, options.outputPath);
+        const PixelRect picture{0, 0, merged.width, merged.height};
+        auto [film, samples] = sumOf(pieces, picture);
+        writeMerged(merged, first, std::move(film), seenIn(pieces, picture), samples, options.outputPath);
         what = fmt::format("{} samples a pixel", samples);
     }
     if (!options.quiet && !isStandardOutput(options.outputPath)) {

@@ -20,6 +20,7 @@
 #include "metamarch/image/image_file.h"
 #include "metamarch/render/picture.h"
 #include "metamarch/render/render.h"
+#include "metamarch/render/surface_groups.h"
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/scene/file_digest.h"
 #include "metamarch/scene/import.h"
@@ -249,7 +250,11 @@ void RenderJob::render() {
                  .sceneFile = options_.scenePath,
                  .width = options_.size.x,
                  .height = options_.size.y,
+                 .cryptomatte = {},
                  .runs = {}};
+        if (std::ranges::any_of(settings_.aovs(), &Aov::isCryptomatte)) {
+            sums_.cryptomatte = render::groupSurfaces(*scene_).levels;
+        }
         sums_.facts.emplace_back("sceneSha1", sceneSha1_);
     }
     if (resumed_) {
@@ -310,7 +315,7 @@ void RenderJob::run() {
 } // namespace
 
 void writeMerged(const render::FilmFile& file, const std::string& name, FilmData film,
-                 const std::uint32_t samples, const std::string& output) {
+                 std::vector<SeenPoint> seen, const std::uint32_t samples, const std::string& output) {
     RenderOptions options;
     SettingList settings;
     declareRender(settings, options);
@@ -322,19 +327,17 @@ void writeMerged(const render::FilmFile& file, const std::string& name, FilmData
     render::RenderResult result;
     static_cast<render::RenderPlace&>(result) = placeIn(file.facts);
     result.settings = settingsOf(options);
-    for (const Aov& aov : result.settings.aovs()) {
-        if (aov.needsScene()) {
-            throw Error(
-                ErrorKind::inputRefused,
-                fmt::format("{}: the channel {} follows from the scene, which sums do not hold; go on "
-                            "with a render",
-                            name, aov.name()),
-                {"aov"});
-        }
+    const std::vector<Aov> aovs = result.settings.aovs();
+    const bool hasHits = !film.hits.empty();
+    if (film.parts() != filmPartsOf(aovs) || hasHits == file.cryptomatte.empty() ||
+        seen.empty() == std::ranges::any_of(aovs, &Aov::isOfSeenPoint)) {
+        throw Error(ErrorKind::inputRefused, name + ": lacks sums for the channels of its picture");
     }
     result.size = {file.width, file.height};
     result.area = {0, 0, file.width, file.height};
     result.film = std::move(film);
+    result.seen = std::move(seen);
+    result.cryptomatte = file.cryptomatte;
     render::writePicture(result,
                          {.software = render::factNamed(file.facts, "version"),
                           .sceneFile = file.sceneFile,

@@ -62,11 +62,6 @@ void checkRun(const RenderOptions& options) {
 void checkChannels(const RenderOptions& options) {
     const std::vector<Aov> chosen = settingsOf(options).aovs();
     if (isPart(options)) {
-        if (const auto found = std::ranges::find_if(chosen, &Aov::needsScene); found != chosen.end()) {
-            throw Error(ErrorKind::invalidArgument,
-                        fmt::format("{} follows from the scene, which a .part does not hold", found->name()),
-                        {"aov"});
-        }
         return;
     }
     if (pictureFormatOf(options.outputPath, options.storage) != PictureFormat::exr) {

@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A file is this preamble, the description as JSON, and the films of the runs in their order, each as
-// FilmPixel[], LightParts[] and first hits in little-endian order. First hits are the number of HitCounts of
-// each pixel, and then the HitCounts. Another layout gets another number.
-constexpr std::array<char, 24> kMagic = {"metamarch sums 1\n"};
+// A file is this preamble, the description as JSON, and the runs in their order: the films of their spans,
+// each as FilmPixel[], LightParts[] and first hits, and then SeenPoint[], in little-endian order. First hits
+// are the number of HitCounts of each pixel, and then the HitCounts. Another layout gets another number.
+constexpr std::array<char, 24> kMagic = {"metamarch sums 2\n"};
 struct Preamble {
     std::array<char, 24> magic;
     std::uint64_t descriptionBytes;
@@ -30,6 +30,7 @@ struct Preamble {
     std::uint64_t hash; // of the description and of each array
 };
 static_assert(sizeof(Preamble) == 48 && std::endian::native == std::endian::little);
+static_assert(sizeof(SeenPoint) == 32);
 
 constexpr std::uint64_t kMostDescription = std::uint64_t{64} << 20u;
 
@@ -79,11 +80,17 @@ Json described(const FilmFile& file, const std::span<const FilmRun> films) {
                              {"hitWords", hitWordsOf(span.film).size()}});
         }
         runs.push_back({{"area", {run.area.left, run.area.top, run.area.right, run.area.bottom}},
-                        {"spans", std::move(spans)}});
+                        {"spans", std::move(spans)},
+                        {"seen", !run.seen.empty()}});
+    }
+    Json levels = Json::array();
+    for (const CryptomatteLevel& level : file.cryptomatte) {
+        levels.push_back({{"layer", level.layer}, {"names", level.nameOfGroup}});
     }
     return {{"facts", std::move(facts)},
             {"sceneFile", file.sceneFile},
             {"size", {file.width, file.height}},
+            {"cryptomatte", std::move(levels)},
             {"runs", std::move(runs)}};
 }
 
@@ -96,6 +103,10 @@ FilmFile undescribed(const Json& json) {
     file.sceneFile = json.at("sceneFile").get<std::string>();
     file.width = json.at("size").at(0).get<std::uint32_t>();
     file.height = json.at("size").at(1).get<std::uint32_t>();
+    for (const Json& level : json.at("cryptomatte")) {
+        file.cryptomatte.push_back(
+            {level.at("layer").get<std::string>(), level.at("names").get<std::vector<std::string>>()});
+    }
     for (const Json& run : json.at("runs")) {
         const auto area = run.at("area").get<std::array<std::uint32_t, 4>>();
         file.runs.push_back({{area[0], area[1], area[2], area[3]}, {}});
@@ -167,6 +178,16 @@ class Reader {
                     }
                     bytesLeft -= run.area.pixelCount() * pixelBytes + hitWords * sizeof(std::uint32_t);
                     readFilm(run.area.pixelCount(), hasLight, hitWords, run.spans[j].film);
+                    requireGroups(run.spans[j].film, film);
+                }
+                if (json["runs"][i].at("seen").get<bool>()) {
+                    if (run.area.pixelCount() > bytesLeft / sizeof(SeenPoint)) {
+                        file_.refuse("is cut off or damaged");
+                    }
+                    bytesLeft -= run.area.pixelCount() * sizeof(SeenPoint);
+                    run.seen.resize(run.area.pixelCount());
+                    get(std::as_writable_bytes(std::span(run.seen)));
+                    hash_.addAll(run.seen);
                 }
             }
             if (bytesLeft != 0) {
@@ -191,6 +212,19 @@ class Reader {
         hash_.addAll(words);
         if (hitWords > 0 && !setHits(words, film)) {
             file_.refuse("is cut off or damaged");
+        }
+    }
+
+    // Every group that a pixel names has a name in each level.
+    void requireGroups(const FilmData& film, const FilmFile& file) {
+        for (const std::vector<HitCount>& hits : film.hits) {
+            for (const HitCount& hit : hits) {
+                if (std::ranges::any_of(file.cryptomatte, [&](const CryptomatteLevel& level) {
+                        return hit.group >= level.nameOfGroup.size();
+                    })) {
+                    file_.refuse("is cut off or damaged");
+                }
+            }
         }
     }
 
@@ -235,6 +269,10 @@ FilmFileBytes::FilmFileBytes(const FilmFile& file, const std::span<const FilmRun
                 pieces_.push_back(bytes);
             }
         }
+        const auto seen = std::as_bytes(std::span(run.seen));
+        hash.add(seen);
+        preamble.filmBytes += seen.size();
+        pieces_.push_back(seen);
     }
     preamble.hash = hash.value();
     const auto first = std::as_bytes(std::span(&preamble, 1));

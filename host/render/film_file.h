@@ -3,6 +3,7 @@
 // together later. They hold the film as it is, bit for bit, because no picture does: a picture has means, of
 // all samples together.
 #pragma once
+#include "metamarch/image/cryptomatte.h"
 #include "metamarch/render/film_run.h"
 
 #include <cstddef>
@@ -31,6 +32,7 @@ struct FilmFile {
     std::string sceneFile;   // as the user spelled it; no fact, since machines have files in different places
     std::uint32_t width = 0; // of the whole picture
     std::uint32_t height = 0;
+    std::vector<CryptomatteLevel> cryptomatte; // the names of the groups that the films' hits have
     std::vector<FilmRun> runs;
 };
 

@@ -2,6 +2,7 @@
 // Sums of samples in a form that adds up to the same bits however a render is divided: in time (checkpoints),
 // in samples and in areas (parts).
 #pragma once
+#include "metamarch/image/aov.h"
 #include "metamarch/shared/film_data.h"
 
 #include <cstddef>
@@ -24,6 +25,8 @@ struct FilmSpan {
 struct FilmRun {
     PixelRect area;
     std::vector<FilmSpan> spans;
+    // Of each pixel, if the run begins with sample 0 and a channel of the picture needs it; otherwise none.
+    std::vector<SeenPoint> seen{};
 };
 
 // Sums over all samples of the pixels of an area, from spans that follow each other.

@@ -136,6 +136,7 @@ class Render {
     RenderResult finish() {
         result_.seconds.render = stopwatch_.seconds();
         lookAtFilm(result_);
+        keepSeen(result_);
         result_.samplesTaken = result_.counts.samples - resumedSamples();
         if (result_.counts.rejected > 0) {
             result_.warnings.push_back(
@@ -173,11 +174,18 @@ class Render {
     // What the channels of the picture need besides its film.
     void lookAtFilm(RenderResult& result) const {
         result.counts = countOf(result.film.pixels);
-        if (std::ranges::any_of(settings_.aovs(), &Aov::isOfSeenPoint)) {
+        if (settings_.firstSample == 0 && std::ranges::any_of(settings_.aovs(), &Aov::isOfSeenPoint)) {
             const std::optional<PathSettings> path =
                 settings_.isPrimary() ? std::nullopt : std::optional(pathSettings());
             result.seen =
                 seenPoints(scene_, camera_, result.area, path ? &*path : nullptr, result.film.pixels);
+        }
+    }
+
+    // A picture that is put together of such sums has no scene to look at.
+    static void keepSeen(RenderResult& result) {
+        if (!result.sums.spans.empty() && result.sums.spans.front().firstSample == 0) {
+            result.sums.seen = result.seen;
         }
     }
 
@@ -201,6 +209,7 @@ class Render {
         picture.settings.samplesPerPixel = progress.nextSample;
         picture.seconds.render = stopwatch_.seconds();
         lookAtFilm(picture);
+        keepSeen(picture);
         control_.onShow(progress, picture);
         sums = std::move(picture.sums);
     }

@@ -57,7 +57,6 @@ struct Aov {
 
     std::vector<std::string> channels() const; // the single names
     bool isCryptomatte() const { return filmParts == kFilmHits; }
-    bool needsScene() const { return isOfSeenPoint || isCryptomatte(); } // the film does not suffice
     // What a user calls it: its only channel, or what its channels have before the last dot. Empty for R G B.
     std::string name() const;
 };

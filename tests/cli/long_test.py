@@ -203,8 +203,8 @@ class Parts(LongTest):
     def test_any_partition(self):
         """Merged in random order, some by way of a part of parts. Picture.anyPartitionAddsUp tries more of them."""
         chance = random.Random(7)
-        whole = self.render("whole.exr", "--spp", "40")
-        for trial in range(2):
+        for trial, channels in enumerate(((), ("--aov", "all"))):
+            whole = self.render("whole.exr", "--spp", "40", *channels)
             cuts = sorted({0, 40, *chance.sample((8, 16, 19, 32, 33), chance.randrange(3))})
             x, y = chance.randrange(1, 13), chance.randrange(1, 9)
             areas = chance.choice((((0, 0, 13, 9),), ((0, 0, x, 9), (x, 0, 13, 9)), ((0, 0, 13, y), (0, y, x, 9), (x, y, 13, 9))))
@@ -212,7 +212,7 @@ class Parts(LongTest):
             for area in areas:
                 for first, end in zip(cuts, cuts[1:]):
                     names.append(f"{trial}-{len(names)}.part")
-                    self.render(names[-1], "--samples", f"{first}:{end}", "--crop", ",".join(map(str, area)))
+                    self.render(names[-1], "--samples", f"{first}:{end}", "--crop", ",".join(map(str, area)), *channels)
             chance.shuffle(names)
             if len(names) > 2:
                 self.succeed("merge", *names[:2], "-o", "some.part", "--quiet")

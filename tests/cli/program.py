@@ -118,7 +118,7 @@ def channels_of(integrator):
     the program's table."""
     listing = re.search(r"^```\nR G B  .*?^```$", (SOURCE / "README.md").read_text(), re.MULTILINE | re.DOTALL).group()
     lines = [line for line in listing.splitlines()[1:-1]
-             if "(if asked)" not in line and (integrator != "primary" or "not by primary" not in line)]
+             if not re.search(r"\(if (asked|denoised)\)", line) and (integrator != "primary" or "not by primary" not in line)]
     return {name for line in lines for name in line.split("  ")[0].split()}
 
 

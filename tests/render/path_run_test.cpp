@@ -172,17 +172,24 @@ std::string contentOf(const std::filesystem::path& path) {
 
 TEST(FilmFile, keepsEveryBit) {
     const TemporaryFolder folder;
-    const std::vector<FilmRun> runs = {runOf({3, 40}), runOf({0, 3})};
-    const render::FilmFile file{{{"name", "value"}, {"other", ""}}, "a b.glb", 3, 2, {}};
+    std::vector<FilmRun> runs = {runOf({3, 40}), runOf({0, 3})};
+    runs[1].seen = std::vector<SeenPoint>(6, {{1.0f, -0.0f, 3.0f}, {0.25f, 0.5f}, 7, 8, kNoId});
+    const render::FilmFile file{{{"name", "value"}, {"other", ""}}, "a b.glb", 3, 2,
+                                {{"CryptoObject", {"a", "b"}}},     {}};
     render::writeFilmFile(file, runs, folder / "a.part");
     const render::FilmFile read = render::readFilmFile(folder / "a.part");
     EXPECT_EQ(read.facts, file.facts);
     EXPECT_EQ(read.sceneFile, "a b.glb");
     EXPECT_EQ(read.width, 3u);
     EXPECT_EQ(read.height, 2u);
+    ASSERT_EQ(read.cryptomatte.size(), 1u);
+    EXPECT_EQ(read.cryptomatte.front().layer, "CryptoObject");
+    EXPECT_EQ(read.cryptomatte.front().nameOfGroup, (std::vector<std::string>{"a", "b"}));
     ASSERT_EQ(read.runs.size(), 2u);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         EXPECT_EQ(read.runs[i].area, kArea);
+        EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(read.runs[i].seen)),
+                                       std::as_bytes(std::span(runs[i].seen))));
         ASSERT_EQ(read.runs[i].spans.size(), runs[i].spans.size());
         for (std::size_t j = 0; j < runs[i].spans.size(); ++j) {
             EXPECT_EQ(read.runs[i].spans[j].firstSample, runs[i].spans[j].firstSample);
@@ -193,6 +200,18 @@ TEST(FilmFile, keepsEveryBit) {
     EXPECT_EQ(render::differingFact(file.facts, {{"name", "value"}, {"other", "x"}}), "other");
     EXPECT_EQ(render::differingFact(file.facts, {{"name", "value"}}), "other");
     EXPECT_EQ(render::differingFact({{"name", "value"}}, file.facts), "other");
+}
+
+TEST(FilmFile, groupsHaveNames) {
+    const TemporaryFolder folder;
+    FilmRun run{kArea, {{0, FilmData(kArea.pixelCount(), kFilmHits)}}};
+    const render::FilmFile file{{}, "", 3, 2, {{"CryptoObject", {"a", "b"}}}, {}};
+    run.spans.front().film.addHit(5, 1);
+    render::writeFilmFile(file, {&run, 1}, folder / "a.part");
+    EXPECT_EQ(render::readFilmFile(folder / "a.part").runs.size(), 1u);
+    run.spans.front().film.addHit(5, 2);
+    render::writeFilmFile(file, {&run, 1}, folder / "b.part");
+    expectError(ErrorKind::inputRefused, "damaged", [&] { render::readFilmFile(folder / "b.part"); });
 }
 
 TEST(PathRun, showsThePictureAndGoesOn) {
