@@ -252,10 +252,10 @@ class ViewerTest(ProgramTest):
         cls.display = Display()
         cls.addClassCleanup(cls.display.close)
 
-    def open(self, scene, *words, size="160x120", panels=False):
+    def open(self, scene, *words, size="160x120", panels=False, environment=None):
         """Opens a viewer; quit() closes it."""
         hidden = () if panels else ("--no-panels",)
-        viewer = Viewer(self, [scene, "--size", size, *hidden, *words])
+        viewer = Viewer(self, [scene, "--size", size, *hidden, *words], environment)
         self.addCleanup(viewer.end)
         viewer.wait_for_title(READY)
         return viewer

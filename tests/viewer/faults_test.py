@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+"""Windows of drivers that behave worse than lavapipe's, by the layer tests/vulkan/fault_layer."""
+import os
+
+from viewer import CORNELL, ViewerTest, main
+
+
+def faults(text):
+    return {"METAMARCH_FAULTS": text, "VK_INSTANCE_LAYERS": "VK_LAYER_METAMARCH_faults",
+            "VK_ADD_LAYER_PATH": os.environ["METAMARCH_FAULT_LAYER"]}
+
+
+class FaultsTest(ViewerTest):
+    def test_the_window_shows_its_picture(self):
+        picture = self.render(CORNELL, "--spp", "4")
+        for text in ("acquireTimesOut=3", "acquireOutOfDate=5", "suboptimal=1", "noOpaqueAlpha=1",
+                     "timestampBits=0", "stampsAreEqual=1"):
+            with self.subTest(faults=text):
+                viewer = self.open(CORNELL, "--spp", "4", environment=faults(text))
+                viewer.wait_for_title(r"cornell.glb - path, 4 of 4 samples - meta_table - metamarch")
+                self.assert_shows(viewer, picture)
+                self.quit(viewer)
+
+
+if __name__ == "__main__":
+    main()

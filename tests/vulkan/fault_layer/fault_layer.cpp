@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: MIT
+// A Vulkan layer that makes a device worse than it is: smaller limits, other clocks, memory that runs out, a
+// device that is lost, windows that change. Tests enable it by VK_INSTANCE_LAYERS=VK_LAYER_METAMARCH_faults
+// and say what goes wrong by METAMARCH_FAULTS, a list such as "storageBuffers=8,lostAt=3". An unknown word
+// ends the process, so that no test passes because of a typing error.
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <string>
+
+namespace {
+
+// ---------------------------------------------------------------- the faults
+
+constexpr const char* kFaults[] = {
+    "storageBuffers",   // maxPerStageDescriptorStorageBuffers
+    "sampledImages",    // maxPerStageDescriptorSampledImages, which texel buffers count to
+    "storageRange",     // maxStorageBufferRange, bytes
+    "texels",           // maxTexelBufferElements
+    "workGroups",       // maxComputeWorkGroupCount of each dimension
+    "allocation",       // maxMemoryAllocationSize, bytes
+    "timestampBits",    // timestampValidBits of every queue family
+    "stampsAreEqual",   // 1: all time stamps of a pool are the same
+    "stampsWrap",       // 1: the counter passes 2^timestampBits between two stamps
+    "lostAt",           // the device is lost at this submission, counted from 1
+    "memoryEndsAt",     // this allocation and all after it fail, counted from 1
+    "acquireTimesOut",  // every nth image of a window comes too late
+    "acquireOutOfDate", // every nth image is of a window that has changed
+    "suboptimal",       // 1: every image is shown, but no longer fits
+    "tenBitOnly",       // 1: windows take only 10 bits a colour
+    "noOpaqueAlpha",    // 1: windows show what lies behind them
+};
+
+const std::map<std::string, std::uint64_t>& faults() {
+    static const std::map<std::string, std::uint64_t> all = [] {
+        std::map<std::string, std::uint64_t> parsed;
+        const char* const text = std::getenv("METAMARCH_FAULTS");
+        std::istringstream words(text == nullptr ? "" : text);
+        for (std::string word; std::getline(words, word, ',');) {
+            const std::size_t equals = word.find('=');
+            const std::string name = word.substr(0, equals);
+            if (equals == std::string::npos ||
+                std::ranges::none_of(kFaults, [&](const char* known) { return name == known; })) {
+                std::fprintf(stderr, "METAMARCH_FAULTS: unknown fault %s\n", word.c_str());
+                std::abort();
+            }
+            parsed[name] = std::stoull(word.substr(equals + 1));
+        }
+        return parsed;
+    }();
+    return all;
+}
+
+bool has(const char* const fault) { return faults().contains(fault); }
+std::uint64_t valueOf(const char* const fault) { return has(fault) ? faults().at(fault) : 0; }
+
+template <class T>
+void limit(const char* const fault, T& value) {
+    if (has(fault)) {
+        value = static_cast<T>(valueOf(fault));
+    }
+}
+
+// Returns true for every nth call.
+bool isNth(std::atomic<std::uint64_t>& calls, const char* const fault) {
+    const std::uint64_t n = valueOf(fault);
+    return n > 0 && ++calls % n == 0;
+}
+
+std::atomic<bool> isLost = false;
+
+// ---------------------------------------------------------------- what lies below this layer
+
+// Handles of one instance or device, and of what belongs to it, begin with the same pointer.
+void* keyOf(const void* const handle) { return *static_cast<void* const*>(handle); }
+
+struct Below {
+    VkInstance instance = VK_NULL_HANDLE; // of an instance
+    PFN_vkGetInstanceProcAddr instanceAddress = nullptr;
+    VkDevice device = VK_NULL_HANDLE; // of a device
+    PFN_vkGetDeviceProcAddr deviceAddress = nullptr;
+};
+
+std::mutex belowLock;
+std::map<void*, Below> belows;
+
+Below below(const void* const handle) {
+    const std::lock_guard lock(belowLock);
+    return belows.at(keyOf(handle));
+}
+
+template <class Function>
+Function nextOfInstance(const void* const handle, const char* const name) {
+    const Below found = below(handle);
+    return reinterpret_cast<Function>(found.instanceAddress(found.instance, name));
+}
+
+template <class Function>
+Function nextOfDevice(const void* const handle, const char* const name) {
+    const Below found = below(handle);
+    return reinterpret_cast<Function>(found.deviceAddress(found.device, name));
+}
+
+// The link of the chain that the loader gives to this layer.
+template <class Link, class Info>
+Link* linkOf(const Info* const info, const VkStructureType type) {
+    auto* link = static_cast<Link*>(const_cast<void*>(info->pNext));
+    while (link != nullptr && !(link->sType == type && link->function == VK_LAYER_LINK_INFO)) {
+        link = static_cast<Link*>(const_cast<void*>(link->pNext));
+    }
+    return link;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* const info,
+                                              const VkAllocationCallbacks* const memory,
+                                              VkInstance* const instance) {
+    auto* const link = linkOf<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(next(VK_NULL_HANDLE, "vkCreateInstance"));
+    const VkResult result = create(info, memory, instance);
+    if (result == VK_SUCCESS) {
+        const std::lock_guard lock(belowLock);
+        belows[keyOf(*instance)] = {.instance = *instance, .instanceAddress = next};
+    }
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
+                                            const VkDeviceCreateInfo* const info,
+                                            const VkAllocationCallbacks* const memory,
+                                            VkDevice* const device) {
+    auto* const link = linkOf<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    const PFN_vkGetDeviceProcAddr nextOfDevices = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create =
+        reinterpret_cast<PFN_vkCreateDevice>(next(below(physical).instance, "vkCreateDevice"));
+    const VkResult result = create(physical, info, memory, device);
+    if (result == VK_SUCCESS) {
+        const std::lock_guard lock(belowLock);
+        belows[keyOf(*device)] = {.device = *device, .deviceAddress = nextOfDevices};
+    }
+    return result;
+}
+
+// ---------------------------------------------------------------- properties
+
+void worsen(VkPhysicalDeviceLimits& limits) {
+    limit("storageBuffers", limits.maxPerStageDescriptorStorageBuffers);
+    limit("storageBuffers", limits.maxDescriptorSetStorageBuffers);
+    limit("sampledImages", limits.maxPerStageDescriptorSampledImages);
+    limit("storageRange", limits.maxStorageBufferRange);
+    limit("texels", limits.maxTexelBufferElements);
+    for (std::uint32_t& count : limits.maxComputeWorkGroupCount) {
+        limit("workGroups", count);
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL getProperties(const VkPhysicalDevice physical,
+                                         VkPhysicalDeviceProperties* const properties) {
+    nextOfInstance<PFN_vkGetPhysicalDeviceProperties>(physical, "vkGetPhysicalDeviceProperties")(physical,
+                                                                                                 properties);
+    worsen(properties->limits);
+}
+
+VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
+                                          VkPhysicalDeviceProperties2* const properties) {
+    nextOfInstance<PFN_vkGetPhysicalDeviceProperties2>(physical, "vkGetPhysicalDeviceProperties2")(
+        physical, properties);
+    worsen(properties->properties.limits);
+    for (auto* part = static_cast<VkBaseOutStructure*>(properties->pNext); part != nullptr;
+         part = part->pNext) {
+        if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES) {
+            limit("allocation",
+                  reinterpret_cast<VkPhysicalDeviceMaintenance3Properties*>(part)->maxMemoryAllocationSize);
+        } else if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES) {
+            limit("allocation",
+                  reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(part)->maxMemoryAllocationSize);
+        }
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL getQueueFamilies(const VkPhysicalDevice physical, std::uint32_t* const count,
+                                            VkQueueFamilyProperties* const families) {
+    nextOfInstance<PFN_vkGetPhysicalDeviceQueueFamilyProperties>(
+        physical, "vkGetPhysicalDeviceQueueFamilyProperties")(physical, count, families);
+    for (std::uint32_t i = 0; families != nullptr && i < *count; ++i) {
+        limit("timestampBits", families[i].timestampValidBits);
+    }
+}
+
+// ---------------------------------------------------------------- memory, clocks, lost devices
+
+VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(const VkDevice device, const VkMemoryAllocateInfo* const info,
+                                              const VkAllocationCallbacks* const memory,
+                                              VkDeviceMemory* const allocated) {
+    static std::atomic<std::uint64_t> allocations = 0;
+    if (has("memoryEndsAt") && ++allocations >= valueOf("memoryEndsAt")) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
+    return nextOfDevice<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, memory, allocated);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(const VkQueue queue, const std::uint32_t count,
+                                           const VkSubmitInfo* const submits, const VkFence fence) {
+    static std::atomic<std::uint64_t> submissions = 0;
+    if (has("lostAt") && ++submissions >= valueOf("lostAt")) {
+        isLost = true;
+    }
+    return isLost ? VK_ERROR_DEVICE_LOST
+                  : nextOfDevice<PFN_vkQueueSubmit>(queue, "vkQueueSubmit")(queue, count, submits, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitForFences(const VkDevice device, const std::uint32_t count,
+                                             const VkFence* const fences, const VkBool32 all,
+                                             const std::uint64_t nanoseconds) {
+    return isLost ? VK_ERROR_DEVICE_LOST
+                  : nextOfDevice<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all,
+                                                                                 nanoseconds);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL deviceWaitIdle(const VkDevice device) {
+    const VkResult result = nextOfDevice<PFN_vkDeviceWaitIdle>(device, "vkDeviceWaitIdle")(device);
+    return isLost ? VK_ERROR_DEVICE_LOST : result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL queueWaitIdle(const VkQueue queue) {
+    const VkResult result = nextOfDevice<PFN_vkQueueWaitIdle>(queue, "vkQueueWaitIdle")(queue);
+    return isLost ? VK_ERROR_DEVICE_LOST : result;
+}
+
+// The program reads the two 64-bit stamps of a submission.
+VKAPI_ATTR VkResult VKAPI_CALL getQueryPoolResults(const VkDevice device, const VkQueryPool pool,
+                                                   const std::uint32_t first, const std::uint32_t count,
+                                                   const std::size_t size, void* const data,
+                                                   const VkDeviceSize stride,
+                                                   const VkQueryResultFlags flags) {
+    const VkResult result = nextOfDevice<PFN_vkGetQueryPoolResults>(device, "vkGetQueryPoolResults")(
+        device, pool, first, count, size, data, stride, flags);
+    if (result != VK_SUCCESS || count != 2 || size < 2 * sizeof(std::uint64_t) ||
+        stride != sizeof(std::uint64_t)) {
+        return result;
+    }
+    std::uint64_t stamps[2];
+    std::memcpy(stamps, data, sizeof(stamps));
+    if (has("stampsAreEqual")) {
+        stamps[1] = stamps[0];
+    } else if (has("stampsWrap")) {
+        const std::uint64_t mask = (std::uint64_t{1} << valueOf("timestampBits")) - 1;
+        stamps[1] = (stamps[1] - stamps[0] - 1) & mask;
+        stamps[0] = mask; // the last value before 0
+    }
+    std::memcpy(data, stamps, sizeof(stamps));
+    return result;
+}
+
+// ---------------------------------------------------------------- windows
+
+VKAPI_ATTR VkResult VKAPI_CALL acquireNextImage(const VkDevice device, const VkSwapchainKHR chain,
+                                                const std::uint64_t nanoseconds, const VkSemaphore semaphore,
+                                                const VkFence fence, std::uint32_t* const image) {
+    static std::atomic<std::uint64_t> late = 0;
+    static std::atomic<std::uint64_t> outdated = 0;
+    if (isNth(late, "acquireTimesOut")) {
+        return VK_TIMEOUT;
+    }
+    if (isNth(outdated, "acquireOutOfDate")) {
+        return VK_ERROR_OUT_OF_DATE_KHR;
+    }
+    const VkResult result = nextOfDevice<PFN_vkAcquireNextImageKHR>(device, "vkAcquireNextImageKHR")(
+        device, chain, nanoseconds, semaphore, fence, image);
+    return result == VK_SUCCESS && has("suboptimal") ? VK_SUBOPTIMAL_KHR : result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL getSurfaceFormats(const VkPhysicalDevice physical, const VkSurfaceKHR surface,
+                                                 std::uint32_t* const count,
+                                                 VkSurfaceFormatKHR* const formats) {
+    if (!has("tenBitOnly")) {
+        return nextOfInstance<PFN_vkGetPhysicalDeviceSurfaceFormatsKHR>(
+            physical, "vkGetPhysicalDeviceSurfaceFormatsKHR")(physical, surface, count, formats);
+    }
+    if (formats != nullptr && *count > 0) {
+        formats[0] = {VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_COLOR_SPACE_SRGB_NONLINEAR_KHR};
+    }
+    *count = 1;
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL getSurfaceCapabilities(const VkPhysicalDevice physical,
+                                                      const VkSurfaceKHR surface,
+                                                      VkSurfaceCapabilitiesKHR* const capabilities) {
+    const VkResult result = nextOfInstance<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
+        physical, "vkGetPhysicalDeviceSurfaceCapabilitiesKHR")(physical, surface, capabilities);
+    if (has("noOpaqueAlpha")) {
+        capabilities->supportedCompositeAlpha = VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+    }
+    return result;
+}
+
+// ---------------------------------------------------------------- how the loader finds all that
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceAddress(VkInstance instance, const char* name);
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceAddress(VkDevice device, const char* name);
+
+struct Entry {
+    const char* name;
+    PFN_vkVoidFunction function;
+};
+
+template <class Function>
+Entry entry(const char* const name, Function* const function) {
+    return {name, reinterpret_cast<PFN_vkVoidFunction>(function)};
+}
+
+PFN_vkVoidFunction find(const char* const name, const bool isOfDevices) {
+    static const Entry ofInstances[] = {
+        entry("vkGetInstanceProcAddr", instanceAddress),
+        entry("vkCreateInstance", createInstance),
+        entry("vkCreateDevice", createDevice),
+        entry("vkGetPhysicalDeviceProperties", getProperties),
+        entry("vkGetPhysicalDeviceProperties2", getProperties2),
+        entry("vkGetPhysicalDeviceQueueFamilyProperties", getQueueFamilies),
+        entry("vkGetPhysicalDeviceSurfaceFormatsKHR", getSurfaceFormats),
+        entry("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", getSurfaceCapabilities),
+    };
+    static const Entry ofDevices[] = {
+        entry("vkGetDeviceProcAddr", deviceAddress),
+        entry("vkAllocateMemory", allocateMemory),
+        entry("vkQueueSubmit", queueSubmit),
+        entry("vkWaitForFences", waitForFences),
+        entry("vkDeviceWaitIdle", deviceWaitIdle),
+        entry("vkQueueWaitIdle", queueWaitIdle),
+        entry("vkGetQueryPoolResults", getQueryPoolResults),
+        entry("vkAcquireNextImageKHR", acquireNextImage),
+    };
+    for (const Entry& known : ofDevices) {
+        if (std::strcmp(known.name, name) == 0) {
+            return known.function;
+        }
+    }
+    for (const Entry& known : ofInstances) {
+        if (!isOfDevices && std::strcmp(known.name, name) == 0) {
+            return known.function;
+        }
+    }
+    return nullptr;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceAddress(const VkInstance instance, const char* const name) {
+    if (const PFN_vkVoidFunction own = find(name, false)) {
+        return own;
+    }
+    return instance == VK_NULL_HANDLE ? nullptr : below(instance).instanceAddress(instance, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceAddress(const VkDevice device, const char* const name) {
+    if (const PFN_vkVoidFunction own = find(name, true)) {
+        return own;
+    }
+    return below(device).deviceAddress(device, name);
+}
+
+} // namespace
+
+extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* const version) {
+    faults(); // a wrong word ends the process here
+    version->loaderLayerInterfaceVersion = 2;
+    version->pfnGetInstanceProcAddr = instanceAddress;
+    version->pfnGetDeviceProcAddr = deviceAddress;
+    version->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}
