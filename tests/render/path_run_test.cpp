@@ -444,7 +444,7 @@ TEST(PathRun, adaptiveRendersNeedFewerSamplesForTheSameError) {
 // Any file that is cut off or has another bit is refused, before memory is taken for it.
 TEST(FilmFile, damageIsRefused) {
     const TemporaryFolder folder;
-    render::writeFilmFile({{{"name", "value"}}, "a.glb", 3, 2, {}}, std::vector{runOf({0, 20})},
+    render::writeFilmFile({{{"name", "value"}}, "a.glb", 3, 2, {}, {}}, std::vector{runOf({0, 20})},
                           folder / "a");
     const std::string whole = contentOf(folder / "a");
     std::mt19937 random(1);

@@ -14,14 +14,21 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <string_view>
 
 namespace metamarch::tests {
 namespace {
 
-constexpr std::uint32_t kRays = 1000000;
 constexpr std::uint32_t kBruteForceRays = 10000;
+
+// Rays of a scene. METAMARCH_LONG=1, as `tools/test --long` sets it, takes a million.
+std::uint32_t rayCount() {
+    const char* const isLong = std::getenv("METAMARCH_LONG");
+    return isLong != nullptr && std::string_view(isLong) == "1" ? 1000000 : 200000;
+}
 
 constexpr std::string_view kBruteForce = "brute_force";
 
@@ -36,11 +43,11 @@ struct Effort {
 
 Effort effortFor(const std::string_view traversal, const GpuScene& scene) {
     if (traversal == traversals().front()) {
-        return {kRays, 5, 321, 239};
+        return {rayCount(), 5, 321, 239};
     }
-    return traversal == kBruteForce ? Effort{kRays / 1000, 1, 33, 25}
-           : scene.inStadium        ? Effort{kRays / 100, 1, 65, 49}
-                                    : Effort{kRays / 10, 1, 161, 119};
+    return traversal == kBruteForce ? Effort{1000, 1, 33, 25}
+           : scene.inStadium        ? Effort{rayCount() / 100, 1, 65, 49}
+                                    : Effort{rayCount() / 4, 1, 161, 119};
 }
 
 // Returns the traversals that the device can run, and prints the others.
@@ -80,7 +87,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
     const LoadedScene loaded = prepare(GetParam());
     const AccelerationStructure& structure = loaded.structure;
     const StructureSet structures(structure);
-    const std::vector<RayQuery> rays = trickyRays(loaded.scene, structure, kRays, 11);
+    const std::vector<RayQuery> rays = trickyRays(loaded.scene, structure, rayCount(), 11);
     const auto stack = traceAll(structure.lattice, rays, [&](const Ray& ray) {
         return traceKdStack(structure, ray, HitQuery::closest);
     });
@@ -91,7 +98,7 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
     expectSameHits(few, std::span(stack).first(kBruteForceRays), brute, Counters::ignored);
     const auto hits = std::count_if(stack.begin(), stack.end(),
                                     [](const RayResult& result) { return result.triangleId != kNoTriangle; });
-    EXPECT_GT(hits, kRays / 20) << "too few hits for a meaningful test";
+    EXPECT_GT(hits, rayCount() / 20) << "too few hits for a meaningful test";
 
     const render::SceneBuffers buffers(device, structure, loaded.shading);
     for (const std::string_view traversal : offeredTraversals(device)) {
