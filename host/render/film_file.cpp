@@ -269,10 +269,12 @@ FilmFileBytes::FilmFileBytes(const FilmFile& file, const std::span<const FilmRun
                 pieces_.push_back(bytes);
             }
         }
-        const auto seen = std::as_bytes(std::span(run.seen));
-        hash.add(seen);
-        preamble.filmBytes += seen.size();
-        pieces_.push_back(seen);
+        if (!run.seen.empty()) {
+            const auto seen = std::as_bytes(std::span(run.seen));
+            hash.add(seen);
+            preamble.filmBytes += seen.size();
+            pieces_.push_back(seen);
+        }
     }
     preamble.hash = hash.value();
     const auto first = std::as_bytes(std::span(&preamble, 1));

@@ -6,7 +6,7 @@ import subprocess
 from program import SCENES, ProgramTest, main, metamarch
 
 CORNELL = SCENES / "cornell.glb"
-SMALL = ("--size", "24x16", "--spp", "20", "--quiet")
+SMALL = ("--size", "16x8", "--spp", "2", "--quiet")
 NO_DEVICE, TOO_LARGE = 4, 6  # exit codes
 
 

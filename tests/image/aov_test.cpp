@@ -77,7 +77,9 @@ std::vector<std::string> namesOf(const std::vector<Aov>& rows) {
 
 TEST(Aov, isWrittenByItsIntegrators) {
     const std::vector<std::string> all = {"all"};
-    EXPECT_EQ(chooseAovs(all, AovWriter::pathTracer).size(), aovs().size());
+    const auto denoised =
+        static_cast<std::size_t>(std::ranges::count(aovs(), AovUse::denoised, &Aov::use));
+    EXPECT_EQ(chooseAovs(all, AovWriter::pathTracer).size() + denoised, aovs().size());
     for (const std::vector<Aov>& ofPrimary :
          {chooseAovs(all, AovWriter::everyIntegrator), usualAovs(AovWriter::everyIntegrator)}) {
         for (const Aov& aov : ofPrimary) {
@@ -88,6 +90,16 @@ TEST(Aov, isWrittenByItsIntegrators) {
         EXPECT_TRUE(image.findChannel("N.X"));
         EXPECT_FALSE(image.findChannel("albedo.R"));
     }
+}
+
+TEST(Aov, hasANoisyTwinIfItIsDenoised) {
+    const std::vector<std::string> direct = {"direct", "albedo"};
+    EXPECT_EQ(namesOf(noisyAovs(chooseAovs(direct, AovWriter::pathTracer))),
+              (std::vector<std::string>{"noisy", "noisy.direct"}));
+    expectError(ErrorKind::invalidArgument, "'noisy' is no channel", {"aov"}, [] {
+        const std::vector<std::string> noisy = {"noisy"};
+        chooseAovs(noisy, AovWriter::pathTracer);
+    });
 }
 
 TEST(Aov, isChosenByName) {
