@@ -37,7 +37,6 @@ class FaultsTest(ProgramTest):
         """Either the picture of a better device, or one line with the limit's name."""
         plain = self.plain()
         for faults, limit in (("storageBuffers=8", "maxPerStageDescriptorStorageBuffers"),
-                              ("storageBuffers=24", "maxPerStageDescriptorStorageBuffers"),
                               ("storageBuffers=31", "maxPerStageDescriptorStorageBuffers"),
                               ("sampledImages=16", "maxPerStageDescriptorSampledImages"),
                               ("storageRange=134217728", "maxStorageBufferRange"), ("texels=65536", "maxTexelBufferElements"),
@@ -55,7 +54,7 @@ class FaultsTest(ProgramTest):
 
     def test_a_lost_device(self):
         """What was finished is written; the line says that the device was lost."""
-        for at in (1, 2, 3, 6, 9):
+        for at in (1, 4, 9):
             with self.subTest(at=at):
                 done = self.render(f"lostAt={at}", "a.exr", "--write-every", "0.001")
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (NO_DEVICE, 1), done.stderr)
@@ -64,7 +63,7 @@ class FaultsTest(ProgramTest):
                     self.succeed("compare", "a.exr", "a.exr")
 
     def test_memory_that_runs_out(self):
-        for at in (1, 2, 5, 10, 20, 40):
+        for at in (1, 6, 30):
             with self.subTest(at=at):
                 done = self.render(f"memoryEndsAt={at}", "a.exr")
                 if done.returncode != 0:
