@@ -330,7 +330,9 @@ TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
             unfinished += isUnfinished ? 1 : 0;
             EXPECT_TRUE(isUnfinished || picture[i] == expected[i]) << "pixel " << i;
         }
-        if (vulkan::testDevice().report().driver == "llvmpipe") {
+        // Later versions of llvmpipe end no loop.
+        const vulkan::DeviceReport& report = vulkan::testDevice().report();
+        if (report.driver == "llvmpipe" && report.driverInfo.starts_with("Mesa 22.")) {
             EXPECT_GT(unfinished, 0u);
         }
     }
