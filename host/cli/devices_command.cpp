@@ -27,6 +27,10 @@ std::string usableText(const DeviceReport& report, bool isDefault) {
     if (!report.usable()) {
         return fmt::format("no: {}", fmt::join(report.refusals, "; "));
     }
+    if (!report.runsEveryKernel()) {
+        return fmt::format("in part: some kernels take {} storage buffers or {} texel buffers",
+                           vulkan::kMostStorageBuffers, vulkan::kMostTexelBuffers);
+    }
     return isDefault ? "yes, used unless --device says otherwise" : "yes";
 }
 
@@ -55,6 +59,8 @@ void printReport(const DeviceReport& report, bool isDefault) {
     printLine("maxTexelBufferElements", fmt::to_string(report.maxTexelBufferElements));
     printLine("maxPerStageDescriptorStorageBuffers",
               fmt::to_string(report.maxPerStageDescriptorStorageBuffers));
+    printLine("maxPerStageDescriptorSampledImages",
+              fmt::to_string(report.maxPerStageDescriptorSampledImages));
     printLine("maxPushConstantsSize", vulkan::byteText(report.maxPushConstantsSize));
     printLine("maxComputeWorkGroupInvocations", fmt::to_string(report.maxComputeWorkGroupInvocations));
     printLine("maxComputeWorkGroupSize[0]", fmt::to_string(report.maxComputeWorkGroupSizeX));
@@ -80,6 +86,7 @@ nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
             {"maxStorageBufferRange", report.maxStorageBufferRange},
             {"maxTexelBufferElements", report.maxTexelBufferElements},
             {"maxPerStageDescriptorStorageBuffers", report.maxPerStageDescriptorStorageBuffers},
+            {"maxPerStageDescriptorSampledImages", report.maxPerStageDescriptorSampledImages},
             {"maxPushConstantsSize", report.maxPushConstantsSize},
             {"maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations},
             {"maxComputeWorkGroupSizeX", report.maxComputeWorkGroupSizeX},

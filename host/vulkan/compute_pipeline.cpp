@@ -26,6 +26,8 @@ void requireLimits(const DeviceReport& device, const KernelInfo& info) {
     };
     require("maxPerStageDescriptorStorageBuffers", device.maxPerStageDescriptorStorageBuffers,
             info.storageBindings.size());
+    require("maxPerStageDescriptorSampledImages", device.maxPerStageDescriptorSampledImages,
+            info.texelBindings.size());
     require("maxPushConstantsSize", device.maxPushConstantsSize, info.pushConstantSize);
 }
 

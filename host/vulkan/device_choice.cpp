@@ -9,6 +9,7 @@
 #include <cctype>
 #include <charconv>
 #include <iterator>
+#include <utility>
 
 namespace metamarch::vulkan {
 namespace {
@@ -70,8 +71,11 @@ uint32_t chooseByName(std::span<const DeviceReport> reports, const std::string& 
 std::optional<uint32_t> defaultDevice(std::span<const DeviceReport> reports) {
     const DeviceReport* best = nullptr;
     for (const DeviceReport& report : reports) {
-        if (report.usable() &&
-            (best == nullptr || report.type < best->type)) { // DeviceType is in order of preference
+        // DeviceType is in order of preference.
+        const auto rank = [](const DeviceReport& device) {
+            return std::pair(!device.runsEveryKernel(), device.type);
+        };
+        if (report.usable() && (best == nullptr || rank(report) < rank(*best))) {
             best = &report;
         }
     }

@@ -10,8 +10,8 @@
 
 namespace metamarch::vulkan {
 
-// Returns the index of the default device: discrete before integrated, virtual, cpu and other; the first
-// among equals. Returns nothing if no device is usable.
+// Returns the index of the default device: one that runs every kernel before others, then discrete before
+// integrated, virtual, cpu and other; the first among equals. Returns nothing if no device is usable.
 std::optional<uint32_t> defaultDevice(std::span<const DeviceReport> reports);
 
 // Returns the index of the device that `selection` names. An empty text names the default device, a text of

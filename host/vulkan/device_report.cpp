@@ -37,6 +37,7 @@ void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.maxComputeWorkGroupInvocations = limits.maxComputeWorkGroupInvocations;
     report.maxComputeWorkGroupSizeX = limits.maxComputeWorkGroupSize[0];
     report.maxPerStageDescriptorStorageBuffers = limits.maxPerStageDescriptorStorageBuffers;
+    report.maxPerStageDescriptorSampledImages = limits.maxPerStageDescriptorSampledImages;
     report.maxPushConstantsSize = limits.maxPushConstantsSize;
 }
 
@@ -167,6 +168,11 @@ std::string typeText(DeviceType type) {
 std::string versionText(uint32_t apiVersion) {
     return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(apiVersion), VK_API_VERSION_MINOR(apiVersion),
                        VK_API_VERSION_PATCH(apiVersion));
+}
+
+bool DeviceReport::runsEveryKernel() const {
+    return maxPerStageDescriptorStorageBuffers >= kMostStorageBuffers &&
+           maxPerStageDescriptorSampledImages >= kMostTexelBuffers;
 }
 
 std::vector<std::string> refusalsOf(const DeviceReport& report) {

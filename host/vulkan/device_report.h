@@ -39,8 +39,9 @@ struct DeviceReport {
     uint32_t maxComputeWorkGroupInvocations = 0;
     uint32_t maxComputeWorkGroupSizeX = 0;
     uint32_t maxPerStageDescriptorStorageBuffers = 0;
-    uint32_t maxPushConstantsSize = 0; // bytes
-    uint32_t subgroupSize = 0;         // invocations
+    uint32_t maxPerStageDescriptorSampledImages = 0; // texel buffers count
+    uint32_t maxPushConstantsSize = 0;               // bytes
+    uint32_t subgroupSize = 0;                       // invocations
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.
     std::vector<std::string> missingForRayQuery; // extensions and features; empty: ray queries are available
@@ -50,8 +51,15 @@ struct DeviceReport {
     std::vector<std::string> refusals; // what we need and the device lacks, in words; empty: usable
 
     bool usable() const { return refusals.empty(); }
+    // Returns false if some kernels do not fit, although others do.
+    bool runsEveryKernel() const;
     bool hasRayQuery() const { return missingForRayQuery.empty(); }
 };
+
+// The most storage buffers and texel buffers of one kernel. Vulkan guarantees fewer, but most devices have
+// more.
+inline constexpr uint32_t kMostStorageBuffers = 31;
+inline constexpr uint32_t kMostTexelBuffers = 17;
 
 // The extensions for ray queries. They are enabled if the device has all of them.
 inline constexpr std::array<const char*, 3> kRayQueryExtensions{

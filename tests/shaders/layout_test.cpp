@@ -16,6 +16,7 @@
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/shared/shading_layout.h"
+#include "metamarch/vulkan/device_report.h"
 #include "shaders/spirv_layout.h"
 
 #include <fmt/format.h>
@@ -311,6 +312,19 @@ INSTANTIATE_TEST_SUITE_P(Shaders, Layout, testing::ValuesIn(shaders().begin(), s
                              return fmt::format("{}_{}_{}", instance.param.kernel, instance.param.traversal,
                                                 instance.param.memory == Memory::texel ? "texel" : "storage");
                          });
+
+// A device that has as many descriptors runs every kernel (vulkan::DeviceReport::runsEveryKernel).
+TEST(Descriptors, areAsManyAsADeviceIsAskedFor) {
+    std::uint32_t storageBuffers = 0;
+    std::uint32_t texelBuffers = 0;
+    for (const Shader& shader : shaders()) {
+        const SpirvLayout layout = readLayout(shader.spirv);
+        storageBuffers = std::max(storageBuffers, layout.storageBuffers);
+        texelBuffers = std::max(texelBuffers, layout.texelBuffers);
+    }
+    EXPECT_EQ(storageBuffers, vulkan::kMostStorageBuffers);
+    EXPECT_EQ(texelBuffers, vulkan::kMostTexelBuffers);
+}
 
 class SharedStruct : public testing::TestWithParam<StructLayout> {};
 

@@ -68,6 +68,10 @@ void readInstruction(const spv::Op op, const std::span<const std::uint32_t> oper
         }
         break;
     }
+    case spv::OpVariable:
+        layout.storageBuffers += operands[2] == spv::StorageClassStorageBuffer ? 1 : 0;
+        layout.texelBuffers += operands[2] == spv::StorageClassUniformConstant ? 1 : 0;
+        break;
     default:
         break;
     }

@@ -33,6 +33,8 @@ struct SpirvLayout {
     std::map<std::uint32_t, SpirvStruct> structs;   // [type id]
     std::map<std::uint32_t, SpirvArray> arrays;     // [type id]; of fixed and of runtime length
     std::map<std::uint32_t, std::uint32_t> numbers; // [type id]; sizes in bytes of scalars and vectors
+    std::uint32_t storageBuffers = 0;
+    std::uint32_t texelBuffers = 0; // also the hierarchies of ray queries
 };
 
 // Throws std::runtime_error if the words are not a module.

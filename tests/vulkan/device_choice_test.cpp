@@ -16,6 +16,8 @@ DeviceReport report(uint32_t index, const char* name, DeviceType type,
     result.name = name;
     result.type = type;
     result.refusals = std::move(refusals);
+    result.maxPerStageDescriptorStorageBuffers = kMostStorageBuffers;
+    result.maxPerStageDescriptorSampledImages = kMostTexelBuffers;
     return result;
 }
 
@@ -31,6 +33,17 @@ TEST(DeviceChoice, takesTheFirstUsableOfTheBestType) {
     EXPECT_EQ(defaultDevice(kReports), 3u);
     EXPECT_EQ(chooseDevice(kReports, ""), 3u);
     EXPECT_EQ(defaultDevice(std::span(kReports).first(1)), 0u);
+}
+
+TEST(DeviceChoice, prefersADeviceThatRunsEveryKernel) {
+    std::vector<DeviceReport> reports = kReports;
+    reports[3].maxPerStageDescriptorStorageBuffers = kMostStorageBuffers - 1;
+    EXPECT_EQ(defaultDevice(reports), 4u);
+    reports[4].maxPerStageDescriptorSampledImages = kMostTexelBuffers - 1;
+    EXPECT_EQ(defaultDevice(reports), 1u);
+    reports[0].maxPerStageDescriptorStorageBuffers = 8;
+    reports[1].maxPerStageDescriptorStorageBuffers = 8;
+    EXPECT_EQ(defaultDevice(reports), 3u); // no device runs all, and this one is the fastest
 }
 
 TEST(DeviceChoice, hasNoDefaultAmongUnusableDevices) {
