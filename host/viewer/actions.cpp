@@ -51,6 +51,40 @@ std::string nextTraversal(const vulkan::DeviceReport& device, const std::string&
     return std::string(*at);
 }
 
+void turnTo(ViewerState& state, const glm::vec3& towards) {
+    state.camera = axisView(state.scene->bounds, state.aspect(), towards, state.camera);
+}
+
+void goTo(ViewerState& state, const std::optional<ViewCamera>& view, const char* const otherwise) {
+    if (view) {
+        state.camera = *view;
+    } else {
+        state.say(otherwise);
+    }
+}
+
+// Poses the animations `seconds` later, within their length.
+void moveTime(ViewerState& state, const double seconds) {
+    const double length = state.scene->whole->animationSeconds();
+    if (length <= 0.0) {
+        state.say("the scene has no animation");
+        return;
+    }
+    std::optional<double>& time = state.settings.import.time;
+    time = std::clamp(time.value_or(0.0) + seconds, 0.0, length);
+}
+
+void togglePlay(ViewerState& state) {
+    Playback& playback = state.playback;
+    const double length = state.scene->whole->animationSeconds();
+    playback.isPlaying = !playback.isPlaying && length > 0.0;
+    if (length <= 0.0) {
+        state.say("the scene has no animation");
+    } else if (playback.isPlaying && state.settings.import.time.value_or(0.0) >= length) {
+        state.settings.import.time = 0.0; // it has ended: play it again
+    }
+}
+
 // Cycles through the path tracer's picture and all views.
 void turnView(Settings& settings, const int by) {
     constexpr int kCount = static_cast<int>(render::kViewNames.size()) + 1;
@@ -80,6 +114,49 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         return true;
     case Action::frameSelected:
         frameSelected(state);
+        return true;
+    case Action::firstView:
+        state.camera = state.history.first();
+        return true;
+    case Action::frontView:
+        turnTo(state, {0, 0, 1});
+        return true;
+    case Action::backView:
+        turnTo(state, {0, 0, -1});
+        return true;
+    case Action::rightView:
+        turnTo(state, {1, 0, 0});
+        return true;
+    case Action::leftView:
+        turnTo(state, {-1, 0, 0});
+        return true;
+    case Action::topView:
+        turnTo(state, {0, 1, 0});
+        return true;
+    case Action::bottomView:
+        turnTo(state, {0, -1, 0});
+        return true;
+    case Action::undoView:
+        goTo(state, state.history.undo(state.camera), "there is no view before");
+        return true;
+    case Action::redoView:
+        goTo(state, state.history.redo(), "there is no later view");
+        return true;
+    case Action::clearMarks:
+        state.selected.reset();
+        state.march.reset();
+        return true;
+    case Action::toggleHelp:
+        settings.hasHelp = !settings.hasHelp;
+        return true;
+    case Action::togglePlay:
+        togglePlay(state);
+        return true;
+    case Action::nextFrame:
+        moveTime(state, Playback::kFrame);
+        return true;
+    case Action::previousFrame:
+        moveTime(state, -Playback::kFrame);
         return true;
     case Action::nextCamera:
         nextCamera(state);

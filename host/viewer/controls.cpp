@@ -29,7 +29,11 @@ constexpr KeyHelp kHelp[] = {
     {"left click", "pick a triangle"},
     {"Ctrl+click", "focus there, with a lens"},
     {"Alt+click, M", "march the ray there, step by step"},
+    {"Esc", "forget what is picked, and the march"},
     {"Home, F", "frame all, or what is picked"},
+    {"Enter", "the first view"},
+    {"1 3 7, Ctrl", "from the front, right, top; the opposite"},
+    {"Ctrl+Z, Ctrl+Shift+Z", "the view before, and back"},
     {"N", "the file's next camera"},
     {"C", "print the camera's options, and copy them"},
     {"V, Shift+V", "next view, the one before"},
@@ -38,10 +42,13 @@ constexpr KeyHelp kHelp[] = {
     {"X", "split: two traversals side by side"},
     {", .", "field of view"},
     {"- =", "exposure"},
+    {"Space", "play the animations, or pause"},
+    {"Left Right", "a 24th of a second back or on"},
     {"P", "screenshot (PNG)"},
     {"Ctrl+S", "save the film (EXR)"},
     {"R", "read the file again"},
     {"Tab", "panels"},
+    {"F1, ?", "these keys"},
     {"Ctrl+Q", "quit"},
 };
 
@@ -86,7 +93,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
     }
     if (!panels.WantTextInput) {
         for (const KeyPress& press : input.keys) {
-            if (press.key == GLFW_KEY_M) {
+            if (press.key == GLFW_KEY_M && !press.isRepeat) {
                 state.march = marchThrough(*state.scene, state.traced(), cursor);
                 state.marchStep = 0;
             }
@@ -161,18 +168,69 @@ void Controls::click(const glm::vec2 place, const int modifiers, ViewerState& st
     }
 }
 
-void Controls::applyKey(const KeyPress& press, ViewerState& state) {
+// The keys of which each press does one thing, however long they are held.
+void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
     std::vector<Action>& actions = state.actions;
+    const bool isShifted = (press.modifiers & GLFW_MOD_SHIFT) != 0;
     if (press.modifiers & GLFW_MOD_CONTROL) {
-        if (press.key == GLFW_KEY_Q) {
+        switch (press.key) {
+        case GLFW_KEY_Q:
             actions.push_back(Action::quit);
-        } else if (press.key == GLFW_KEY_S) {
+            break;
+        case GLFW_KEY_S:
             actions.push_back(Action::saveExr);
+            break;
+        case GLFW_KEY_Z:
+            actions.push_back(isShifted ? Action::redoView : Action::undoView);
+            break;
+        case GLFW_KEY_1:
+        case GLFW_KEY_KP_1:
+            actions.push_back(Action::backView);
+            break;
+        case GLFW_KEY_3:
+        case GLFW_KEY_KP_3:
+            actions.push_back(Action::leftView);
+            break;
+        case GLFW_KEY_7:
+        case GLFW_KEY_KP_7:
+            actions.push_back(Action::bottomView);
+            break;
+        default:
+            break;
         }
         return;
     }
-    const bool isShifted = (press.modifiers & GLFW_MOD_SHIFT) != 0;
     switch (press.key) {
+    case GLFW_KEY_ESCAPE:
+        actions.push_back(Action::clearMarks);
+        break;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        actions.push_back(Action::firstView);
+        break;
+    case GLFW_KEY_1:
+    case GLFW_KEY_KP_1:
+        actions.push_back(Action::frontView);
+        break;
+    case GLFW_KEY_3:
+    case GLFW_KEY_KP_3:
+        actions.push_back(Action::rightView);
+        break;
+    case GLFW_KEY_7:
+    case GLFW_KEY_KP_7:
+        actions.push_back(Action::topView);
+        break;
+    case GLFW_KEY_F1:
+        actions.push_back(Action::toggleHelp);
+        break;
+    case GLFW_KEY_SLASH:
+        if (isShifted) {
+            actions.push_back(Action::toggleHelp);
+        }
+        break;
+    case GLFW_KEY_SPACE:
+        actions.push_back(Action::togglePlay);
+        break;
     case GLFW_KEY_HOME:
         actions.push_back(Action::frameAll);
         break;
@@ -205,6 +263,25 @@ void Controls::applyKey(const KeyPress& press, ViewerState& state) {
         break;
     case GLFW_KEY_H:
         state.settings.view = state.settings.view == kViewSteps ? std::nullopt : std::optional(kViewSteps);
+        break;
+    default:
+        break;
+    }
+}
+
+void Controls::applyKey(const KeyPress& press, ViewerState& state) {
+    if (!press.isRepeat) {
+        applyOnce(press, state);
+    }
+    if (press.modifiers & GLFW_MOD_CONTROL) {
+        return;
+    }
+    switch (press.key) {
+    case GLFW_KEY_LEFT:
+        state.actions.push_back(Action::previousFrame);
+        break;
+    case GLFW_KEY_RIGHT:
+        state.actions.push_back(Action::nextFrame);
         break;
     case GLFW_KEY_COMMA:
         state.camera.verticalFov = std::max(state.camera.verticalFov / kFovPerKey, 1.0);

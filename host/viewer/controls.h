@@ -29,6 +29,7 @@ class Controls {
 
     void applyButton(const ButtonChange& change, ViewerState& state);
     void applyKey(const KeyPress& press, ViewerState& state);
+    static void applyOnce(const KeyPress& press, ViewerState& state);
     void drag(glm::vec2 cursor, ViewerState& state);
     void fly(const Window& window, double seconds, ViewerState& state) const;
     void click(glm::vec2 place, int modifiers, ViewerState& state) const;

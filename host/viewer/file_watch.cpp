@@ -16,6 +16,7 @@ void FileWatch::watch(const std::vector<fs::path>& places) {
     watched = places;
     known = look();
     seen = known;
+    gone = false;
 }
 
 // Leaves out files that do not exist or disappear while it looks.
@@ -54,6 +55,7 @@ bool FileWatch::hasChanged() {
     if (!isQuiet) {
         return false;
     }
+    gone = seen.empty() && !known.empty();
     // A missing file is not a change: it is being replaced, or it was an editor's temporary file. Its old
     // time stays in `known`, so that its return with another time is a change.
     bool isOther = false;

@@ -18,6 +18,9 @@ class FileWatch {
     // another program may still be writing. Looks at most four times a second.
     bool hasChanged();
 
+    // Returns true once hasChanged() has found nothing left of the places, in two looks in a row.
+    bool areGone() const { return gone; }
+
   private:
     using State = std::map<std::filesystem::path, std::filesystem::file_time_type>;
 
@@ -26,6 +29,7 @@ class FileWatch {
     std::vector<std::filesystem::path> watched;
     State known;
     State seen; // at the last look
+    bool gone = false;
     std::chrono::steady_clock::time_point lastLook;
 };
 

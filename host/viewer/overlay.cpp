@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cstdlib>
 #include <imgui.h>
 #include <string>
 
@@ -108,7 +110,9 @@ void drawLegend(const ViewerState& state) {
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float text = ImGui::GetFontSize();
     const glm::vec2 size(16.0f * text, text);
-    const glm::vec2 corner = glm::vec2(state.size) - size - glm::vec2(2.0f * text, 2.5f * text);
+    // The names of a split lie below.
+    const float below = state.hasSplit() ? 3.0f * text : 0.0f;
+    const glm::vec2 corner = glm::vec2(state.size) - size - glm::vec2(2.0f * text, 2.5f * text + below);
     list.AddRectFilled(at(corner - text), at(corner + size + glm::vec2(text, 2.0f * text)), kShade, 4.0f);
     constexpr int kSteps = 64;
     for (int i = 0; i < kSteps; ++i) {
@@ -144,6 +148,26 @@ void drawSplit(const ViewerState& state) {
 
 } // namespace
 
+void drawMessages(const ViewerState& state) {
+    // The tests of the viewer compare pictures without messages.
+    static const char* const wanted = std::getenv("METAMARCH_MESSAGE_SECONDS");
+    static const std::chrono::duration<double> shown(wanted == nullptr ? 3.0 : std::atof(wanted));
+    const auto now = std::chrono::steady_clock::now();
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float text = ImGui::GetFontSize();
+    const float width = static_cast<float>(state.size.x) - 2.0f * text;
+    float bottom = static_cast<float>(state.size.y) - 3.0f * text;
+    for (auto at = state.messages.rbegin(); at != state.messages.rend() && now - at->time < shown; ++at) {
+        const char* const words = at->text.c_str();
+        const ImVec2 size = ImGui::CalcTextSize(words, nullptr, false, width);
+        const ImVec2 corner(text, bottom - size.y);
+        list.AddRectFilled({corner.x - 4.0f, corner.y - 2.0f},
+                           {corner.x + size.x + 4.0f, corner.y + size.y + 2.0f}, kShade, 3.0f);
+        list.AddText(ImGui::GetFont(), text, corner, kInk, words, nullptr, width);
+        bottom -= size.y + 0.5f * text;
+    }
+}
+
 void drawOverlay(const ViewerState& state) {
     const Camera camera = state.traced();
     Painter painter(camera);
@@ -159,7 +183,7 @@ void drawOverlay(const ViewerState& state) {
     if (state.settings.view && isHeatMap(*state.settings.view)) {
         drawLegend(state);
     }
-    if (!state.busy.empty()) {
+    if (!state.busy.empty() && !state.playback.isPlaying) {
         drawLabel({12.0f, static_cast<float>(state.size.y) - 2.0f * ImGui::GetFontSize()}, state.busy);
     }
 }

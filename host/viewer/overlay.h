@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws lines and labels over the picture: the legend of a view, the split line, the picked triangle and the
-// march of a ray.
+// Draws lines and labels over the picture: the legend of a view, the split line, the picked triangle, the
+// march of a ray, and messages.
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 
@@ -8,5 +8,8 @@ namespace metamarch::viewer {
 
 // Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(const ViewerState& state);
+
+// Draws the newest messages for a few seconds. Call it within a frame of Dear ImGui.
+void drawMessages(const ViewerState& state);
 
 } // namespace metamarch::viewer

@@ -183,6 +183,10 @@ void drawStatistics(const ViewerState& state) {
     const LoadedScene& scene = *state.scene;
     line(now.device);
     line(fmt::format("{:.1f} frames/s, {} x {}", now.framesPerSecond, state.size.x, state.size.y));
+    if (now.filmSize != state.size && now.filmSize.x > 0) {
+        line(fmt::format("the picture has {} x {} pixels, all that fit into a buffer", now.filmSize.x,
+                         now.filmSize.y));
+    }
     if (!state.settings.view) {
         line(fmt::format("{:.1f} of {} samples a pixel", now.samples, state.settings.samples));
         line(fmt::format("{:.2f} Mrays/s, {:.2f} Msamples/s", now.raysPerSecond * 1e-6,
@@ -217,6 +221,41 @@ void drawMeshes(ViewerState& state) {
     }
 }
 
+void drawAnimation(ViewerState& state) {
+    const Scene& whole = *state.scene->whole;
+    ImportOptions& import = state.settings.import;
+    Playback& playback = state.playback;
+    if (whole.animations.size() > 1) {
+        const std::string all = "all at once";
+        std::vector<std::string> names = {all};
+        for (std::size_t i = 0; i < whole.animations.size(); ++i) {
+            const std::string& name = whole.animations[i].name;
+            names.push_back(name.empty() ? fmt::to_string(i) : name);
+        }
+        const std::string chosen =
+            chooseName("animation", import.animation.empty() ? all : import.animation, names, kItself);
+        import.animation = chosen == all ? "" : chosen;
+    } else if (!whole.animations.front().name.empty()) {
+        line(whole.animations.front().name);
+    }
+    bool isPosed = import.time.has_value();
+    if (ImGui::Checkbox("pose", &isPosed)) {
+        import.time = isPosed ? std::optional(0.0) : std::nullopt;
+    }
+    auto time = static_cast<float>(import.time.value_or(0.0));
+    if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds()), "%.2f s",
+                           kTypedWithin)) {
+        import.time = static_cast<double>(time);
+    }
+    if (ImGui::Button(playback.isPlaying ? "pause" : "play")) {
+        state.actions.push_back(Action::togglePlay);
+    }
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &playback.isLooped);
+    ImGui::SliderFloat("speed", &playback.speed, 0.1f, 10.0f, "%.1f x",
+                       kTypedWithin | ImGuiSliderFlags_Logarithmic);
+}
+
 void drawScene(ViewerState& state) {
     const Scene& whole = *state.scene->whole;
     ImportOptions& import = state.settings.import;
@@ -229,16 +268,16 @@ void drawScene(ViewerState& state) {
             chooseName("variant", import.variant.empty() ? own : import.variant, names, kItself);
         import.variant = chosen == own ? "" : chosen;
     }
+    if (whole.scenes.size() > 1) {
+        const std::string own = "the file's own";
+        std::vector<std::string> names = {own};
+        names.insert(names.end(), whole.scenes.begin(), whole.scenes.end());
+        const std::string chosen =
+            chooseName("scene", import.scene.empty() ? own : import.scene, names, kItself);
+        import.scene = chosen == own ? "" : chosen;
+    }
     if (whole.animationSeconds() > 0.0) {
-        bool isPosed = import.time.has_value();
-        if (ImGui::Checkbox("pose", &isPosed)) {
-            import.time = isPosed ? std::optional(0.0) : std::nullopt;
-        }
-        auto time = static_cast<float>(import.time.value_or(0.0));
-        if (ImGui::SliderFloat("time", &time, 0.0f, static_cast<float>(whole.animationSeconds()), "%.2f s",
-                               kTypedWithin)) {
-            import.time = static_cast<double>(time);
-        }
+        drawAnimation(state);
     }
     drawMeshes(state);
 }
@@ -287,6 +326,9 @@ void drawPicked(const ViewerState& state) {
 
 void drawMarchLog(ViewerState& state) {
     const MarchLog& log = state.march->log;
+    if (state.settings.traversal != "meta_table") {
+        line(fmt::format("of meta_table; {} draws the picture", state.settings.traversal));
+    }
     const auto count = static_cast<int>(log.steps.size());
     line(fmt::format(
         "{} look-ups, {} triangle tests, {}", log.result.steps, log.result.tests,
@@ -324,9 +366,17 @@ void drawHelp() {
     }
 }
 
-void drawMessages(const ViewerState& state) {
-    for (const std::string& message : state.messages) {
-        ImGui::TextWrapped("%s", message.c_str());
+void drawHelpWindow(ViewerState& state) {
+    const glm::vec2 middle = 0.5f * glm::vec2(state.size);
+    ImGui::SetNextWindowPos({middle.x, middle.y}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::Begin("Keys", &state.settings.hasHelp, ImGuiWindowFlags_AlwaysAutoResize);
+    drawHelp();
+    ImGui::End();
+}
+
+void listMessages(const ViewerState& state) {
+    for (const Message& message : state.messages) {
+        ImGui::TextWrapped("%s", message.text.c_str());
     }
 }
 
@@ -350,6 +400,9 @@ void drawShaderError(const ViewerState& state) {
 void drawPanels(ViewerState& state) {
     if (!state.shaderError.empty()) {
         drawShaderError(state);
+    }
+    if (state.settings.hasHelp) {
+        drawHelpWindow(state);
     }
     if (!state.settings.hasPanels) {
         return;
@@ -384,7 +437,7 @@ void drawPanels(ViewerState& state) {
         drawHelp();
     }
     if (!state.messages.empty() && header("Messages", true)) {
-        drawMessages(state);
+        listMessages(state);
     }
     ImGui::PopItemWidth();
     ImGui::End();

@@ -23,6 +23,8 @@ std::string freeName(const std::string& stem, const std::string& ending) {
     }
 }
 
+std::string fullPath(const std::string& name) { return std::filesystem::absolute(name).string(); }
+
 // Inverts the sRGB curve, so that writeImage turns the result back into exactly this byte.
 float lightOf(const std::uint32_t byte) {
     const double coded = byte / 255.0;
@@ -58,7 +60,7 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
                         "a view has no film to save: choose the picture, or a screenshot");
         }
         writeImage(imageOf(progressive.viewPixels(), progressive.size()), name);
-        return "saved " + name;
+        return "saved " + fullPath(name);
     }
     render::RenderResult result;
     result.settings.path = state.settings.path;
@@ -74,7 +76,7 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
         .software = software, .sceneFile = file.string(), .camera = request.camera, .lens = request.lens};
     render::writePicture(result, origin,
                          {.path = name, .toneMapping = state.settings.tone, .denoiser = denoiser});
-    return fmt::format("saved {}, {} samples a pixel", name, result.settings.samplesPerPixel);
+    return fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
 }
 
 } // namespace metamarch::viewer

@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
 #include <limits>
+#include <utility>
 
 namespace metamarch::viewer {
 namespace {
@@ -98,9 +99,15 @@ void Presenter::makeChain() {
             vk::FramebufferCreateInfo({}, *renderPass, view, chain->size().x, chain->size().y, 1));
         drawn.emplace_back(device.handle(), vk::SemaphoreCreateInfo());
     }
-    const std::uint64_t bytes = std::uint64_t{chain->size().x} * chain->size().y * 4;
-    if (!screen || screen->size() != bytes) {
-        screen.emplace(device, vulkan::BufferUse::storage, bytes, "screen");
+    if (screenSize != chain->size()) {
+        if (!isScreenEmpty) {
+            screenBefore = std::move(screen);
+            sizeBefore = screenSize;
+        }
+        screenSize = chain->size();
+        screen.emplace(device, vulkan::BufferUse::storage, std::uint64_t{screenSize.x} * screenSize.y * 4,
+                       "screen");
+        isScreenEmpty = true;
     }
     isOutdated = false;
 }
@@ -224,7 +231,9 @@ void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&
     commandBuffer.reset();
     commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     vulkan::Commands commands(device, commandBuffer);
-    paint(commands, {chain->size(), *screen, chain->isBlueFirst()});
+    paint(commands, {chain->size(), *screen, chain->isBlueFirst(), isScreenEmpty,
+                     screenBefore ? &*screenBefore : nullptr, sizeBefore});
+    isScreenEmpty = false;
 
     const vk::MemoryBarrier painted(Access::eShaderWrite | Access::eTransferWrite, Access::eTransferRead);
     const vk::ImageMemoryBarrier toCopy({}, Access::eTransferWrite, Layout::eUndefined,

@@ -12,11 +12,15 @@
 
 namespace metamarch::viewer {
 
-// The pixels of the window's picture, in rows from the top.
+// The pixels of the window's picture, in rows from the top. They stay from frame to frame.
 struct Screen {
     glm::uvec2 size; // pixels
     const vulkan::Buffer& pixels;
     bool isBlueFirst; // order in memory: blue, green, red, alpha; otherwise red, green, blue, alpha
+    bool isEmpty;     // nothing has been written to the pixels yet
+    // Those of the window before its size changed, with the same order in memory; null if there are none.
+    const vulkan::Buffer* pixelsBefore;
+    glm::uvec2 sizeBefore;
 };
 
 // Owns Dear ImGui, which draws the panels over the picture. Context, device and window must outlive it.
@@ -52,6 +56,10 @@ class Presenter {
     vk::raii::SurfaceKHR surface;
     std::optional<Swapchain> chain;
     std::optional<vulkan::Buffer> screen;
+    std::optional<vulkan::Buffer> screenBefore; // of the window before its size changed
+    glm::uvec2 screenSize{0};
+    glm::uvec2 sizeBefore{0};
+    bool isScreenEmpty = true;
     vk::raii::RenderPass renderPass = nullptr;
     std::vector<vk::raii::Framebuffer> framebuffers; // [image]
     std::vector<vk::raii::Semaphore> drawn;          // [image]

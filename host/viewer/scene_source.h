@@ -28,6 +28,7 @@ class SceneSource {
 
     bool isBusy() const { return loader_.isBusy(); }
     bool hasFileChanged() { return fileWatch_.hasChanged(); } // see FileWatch
+    bool isFileGone() const { return fileWatch_.areGone(); }
     std::optional<SceneLoader::Answer> take() { return loader_.take(); }
 
     // Shows the refusal, and resets file and settings to those of the scene that is shown.

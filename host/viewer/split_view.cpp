@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/split_view.h"
 
+#include "metamarch/render/kernel.h"
+#include "metamarch/shared/primary.h"
+
 #include <algorithm>
 
 namespace metamarch::viewer {
@@ -34,6 +37,7 @@ void SplitView::make(const render::DeviceScene& scene, const std::vector<std::st
 
 void SplitView::clear() {
     viewports.clear();
+    hasPicture = false;
     countersBefore = {};
 }
 
@@ -92,8 +96,12 @@ bool SplitView::advance() {
 }
 
 void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const float line) {
-    if (viewports.empty() || size != screen.size) {
-        commands.fill(screen.pixels, kEmptyPixel);
+    hasPicture = hasPicture || (!viewports.empty() && isWhole());
+    if (!hasPicture || size != screen.size) {
+        for (const auto& viewport : viewports) { // their pictures must be brought up to date all the same
+            viewport->record(commands, screen, 0, 0);
+        }
+        paintBefore(commands, screen);
         return;
     }
     std::uint32_t first = 0;
@@ -104,6 +112,31 @@ void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const fl
         viewport->record(commands, screen, first, end);
         first = end;
     }
+}
+
+void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {
+    if (screen.pixelsBefore == nullptr) {
+        if (screen.isEmpty) {
+            commands.fill(screen.pixels, kEmptyPixel);
+        }
+        return;
+    }
+    if (!screen.isEmpty) {
+        return; // it has been stretched before
+    }
+    if (!stretching) {
+        stretching = render::makeKernel(device, "present",
+                                        {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
+                                         .pushConstantSize = sizeof(PresentPush)});
+    }
+    stretching->bind(kBindInput, *screen.pixelsBefore);
+    stretching->bind(kBindCoarse, *screen.pixelsBefore);
+    stretching->bind(kBindOutput, screen.pixels);
+    const glm::uvec2 before = screen.sizeBefore;
+    // Both have the same order in memory, so no bytes are exchanged.
+    commands.dispatch(*stretching, {(screen.size.x + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
+                      PresentPush{screen.size.x, screen.size.y, 0, screen.size.x, before.x, before.y,
+                                  before.x, before.y, 0u});
 }
 
 render::PathCounters SplitView::counters() const {
@@ -128,6 +161,7 @@ void SplitView::measure(Statistics& statistics) {
         const ProgressiveImage& fine = viewports[i]->fineImage();
         statistics.viewportSeconds[i] = fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
     }
+    statistics.filmSize = viewports.empty() ? glm::uvec2(0) : progressive().size();
     statistics.samples = viewports.empty() ? 0.0 : progressive().samples();
 
     const double seconds = sinceMeasured.seconds();

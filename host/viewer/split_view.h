@@ -6,6 +6,7 @@
 #include "metamarch/viewer/viewport.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ class SplitView {
     // PathTracer::advance throws.
     bool advance();
 
-    // Writes the screen. `line` is where the left viewport ends, as a fraction of the screen's width.
+    // Writes the screen. `line` is where the left viewport ends, as a fraction of the screen's width. Until
+    // new viewports have a picture, the screen keeps the old one, stretched if the window has another size
+    // now.
     void paint(vulkan::Commands& commands, const Screen& screen, float line);
 
     // Counts a frame and updates the statistics.
@@ -50,12 +53,15 @@ class SplitView {
 
   private:
     bool isWhole() const;
+    void paintBefore(vulkan::Commands& commands, const Screen& screen);
     double share(double seconds) const { return seconds / static_cast<double>(viewports.size()); }
     render::PathCounters counters() const;
 
     const vulkan::Device& device;
     std::vector<std::unique_ptr<Viewport>> viewports;
     glm::uvec2 size{0};
+    bool hasPicture = false;                           // the viewports have been whole since make()
+    std::optional<vulkan::ComputePipeline> stretching; // the kernel `present`, over the screen's old pixels
     RenderRequest request;
 
     Stopwatch sinceMeasured;

@@ -134,6 +134,17 @@ ViewCamera framing(const Bounds& bounds, const float aspect, const ViewCamera& f
     return camera;
 }
 
+ViewCamera axisView(const Bounds& bounds, const float aspect, const glm::vec3& towards,
+                    const ViewCamera& from) {
+    ViewCamera camera = from;
+    letGo(camera);
+    camera.target = middleOf(bounds);
+    camera.eye = camera.target + towards;
+    // From above the picture's top is away from the viewer who stands in front, as in Blender.
+    camera.up = std::abs(towards.y) < 0.5f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, -towards.y);
+    return framing(bounds, aspect, camera);
+}
+
 SceneCamera sceneCameraOf(const ViewCamera& camera, const Scene& scene) {
     SceneCamera made =
         camera.fileCamera ? scene.cameras[*camera.fileCamera] : lookAt(camera.eye, camera.target, camera.up);

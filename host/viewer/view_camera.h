@@ -39,6 +39,10 @@ ViewCamera followed(const ViewCamera& camera, const Scene& before, const Scene& 
 ViewCamera framing(const Bounds& bounds, float aspect, double verticalFov);
 ViewCamera framing(const Bounds& bounds, float aspect, const ViewCamera& from);
 
+// Returns a camera that sees the whole of `bounds` against `towards`, a unit vector from the scene to the
+// eye.
+ViewCamera axisView(const Bounds& bounds, float aspect, const glm::vec3& towards, const ViewCamera& from);
+
 // Return the camera and the lens that shaders and judges trace. `scene` has the file's cameras.
 SceneCamera sceneCameraOf(const ViewCamera& camera, const Scene& scene);
 CameraOptions lensOf(const ViewCamera& camera);

@@ -20,6 +20,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -68,9 +70,9 @@ class Viewer {
     void run() {
         Stopwatch frame;
         while (!window.isClosing()) {
-            const double nap = quietFrames < kFramesAfterEvent              ? 0.0
-                               : scenes.isBusy() || splitView.isDenoising() ? kBusySeconds
-                                                                            : kIdleSeconds;
+            const double nap = quietFrames < kFramesAfterEvent ? 0.0
+                               : isExpecting()                 ? kBusySeconds
+                                                               : kIdleSeconds;
             const Stopwatch asleep;
             const Input input = window.poll(nap);
             quietFrames = asleep.seconds() < nap ? 0 : quietFrames + 1;
@@ -88,10 +90,13 @@ class Viewer {
             controls.apply(input, window, seconds, state);
             drawPanels(state);
             act();
+            play(seconds);
             follow(settingsBefore, cameraBefore);
             if (state.scene) {
+                state.history.follow(state.camera, seconds);
                 drawOverlay(state);
             }
+            drawMessages(state);
             if (trace()) {
                 quietFrames = 0;
             }
@@ -101,9 +106,18 @@ class Viewer {
             splitView.measure(state.statistics);
             window.setTitle(titleText());
         }
+        if (scenes.isBusy()) {
+            // Reading cannot be interrupted, and nobody waits for its result.
+            std::_Exit(EXIT_SUCCESS);
+        }
     }
 
   private:
+    // Returns true if something is on its way that comes without an event.
+    bool isExpecting() const {
+        return scenes.isBusy() || splitView.isDenoising() || state.playback.isPlaying;
+    }
+
     // --- scenes ---
 
     void takeScene() {
@@ -147,6 +161,10 @@ class Viewer {
         }
         state.scene = std::move(loaded);
         state.camera = camera;
+        if (isOther) {
+            state.history.start(camera);
+            state.playback.isPlaying = false;
+        }
         state.statistics.deviceBytes = deviceScene->bytes();
         isStale = true;
     }
@@ -168,6 +186,9 @@ class Viewer {
         if (scenes.hasFileChanged()) {
             scenes.readAgain(state);
         }
+        if (std::exchange(isFileGone, scenes.isFileGone()) != scenes.isFileGone() && isFileGone) {
+            state.say(state.file.string() + " is gone; the window shows what it has read");
+        }
         if (deviceScene && shaders.hasChanged()) {
             compileShaders();
             if (state.shaderError.empty()) {
@@ -182,6 +203,25 @@ class Viewer {
         state.shaderError = error;
         state.say(error.empty() ? "shaders compiled anew"
                                 : "shader error: " + error.substr(0, error.find('\n')));
+    }
+
+    // --- animation ---
+
+    // Poses the scene at the next time as soon as the last pose is there.
+    void play(const double seconds) {
+        Playback& playback = state.playback;
+        sincePose += seconds;
+        if (!playback.isPlaying || !state.scene || scenes.isBusy()) {
+            return;
+        }
+        const double length = state.scene->whole->animationSeconds();
+        double time = state.settings.import.time.value_or(0.0) +
+                      std::exchange(sincePose, 0.0) * static_cast<double>(playback.speed);
+        if (time > length) {
+            playback.isPlaying = playback.isLooped;
+            time = playback.isLooped ? std::fmod(time, length) : length;
+        }
+        state.settings.import.time = time;
     }
 
     // --- actions of keys and buttons ---
@@ -369,7 +409,9 @@ class Viewer {
 
     std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
-    SplitView splitView;   // uses the device scene and the denoiser
+    SplitView splitView;    // uses the device scene and the denoiser
+    double sincePose = 0.0; // seconds since an animation was posed last
+    bool isFileGone = false;
     bool isStale = false;  // the picture must begin anew
     bool isHalted = false; // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};

@@ -17,7 +17,7 @@ void declareControls(SettingList& controls, SettingList& lightControls, Settings
 void ViewerState::say(const std::string& line) {
     constexpr std::size_t kMostMessages = 8;
     printSummary(fmt::format("{}\n", line));
-    messages.push_back(line);
+    messages.push_back({line, std::chrono::steady_clock::now()});
     if (messages.size() > kMostMessages) {
         messages.pop_front();
     }

@@ -7,8 +7,10 @@
 #include "metamarch/viewer/pick.h"
 #include "metamarch/viewer/scene_loader.h"
 #include "metamarch/viewer/view_camera.h"
+#include "metamarch/viewer/view_history.h"
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -41,6 +43,7 @@ struct Settings {
     ImportOptions import;
     std::set<std::uint32_t> hiddenMeshes;
     bool hasPanels = true;
+    bool hasHelp = false; // the list of keys
 
     bool operator==(const Settings&) const = default;
 };
@@ -49,6 +52,20 @@ struct Settings {
 enum class Action {
     frameAll,
     frameSelected,
+    firstView,
+    frontView, // against the axes: +z, -z, +x, -x, +y, -y
+    backView,
+    rightView,
+    leftView,
+    topView,
+    bottomView,
+    undoView,
+    redoView,
+    clearMarks,
+    toggleHelp,
+    togglePlay,
+    nextFrame,
+    previousFrame,
     nextCamera,
     printCamera,
     saveScreenshot,
@@ -62,6 +79,11 @@ enum class Action {
     quit,
 };
 
+struct Message {
+    std::string text;
+    std::chrono::steady_clock::time_point time;
+};
+
 struct Statistics {
     double framesPerSecond = 0.0;
     double raysPerSecond = 0.0;
@@ -71,8 +93,18 @@ struct Statistics {
     double samples = 0.0;                    // mean number of samples per pixel so far
     std::array<double, 2> viewportSeconds{}; // left and right: device time per sample, or of the whole view;
                                              // 0: the first sample is not complete
+    glm::uvec2 filmSize{0};                  // pixels; less than the window's where a device binds no more
     std::uint64_t deviceBytes = 0;           // of the scene
     std::string device;                      // its name and driver
+};
+
+// How an animation plays. The time itself is a setting, ImportOptions::time.
+struct Playback {
+    static constexpr double kFrame = 1.0 / 24.0; // seconds that a step by frame goes on
+
+    bool isPlaying = false;
+    float speed = 1.0f; // seconds of the animation in a second
+    bool isLooped = true;
 };
 
 // Declares the settings that the panels show.
@@ -92,7 +124,7 @@ struct ViewerState {
 
     std::shared_ptr<const LoadedScene> scene; // none until the first one is there
     std::string busy;                         // says what the window waits for; empty: nothing
-    std::deque<std::string> messages;         // the newest is the last
+    std::deque<Message> messages;             // the newest is the last
     std::string shaderError;                  // of the last change of a shader; empty: none
     std::string shaderFolder;                 // the folder that is watched; empty: none
     std::vector<std::string> runnable;        // the traversals that the device can run
@@ -101,6 +133,8 @@ struct ViewerState {
     std::optional<FrozenMarch> march;
     int marchStep = 0; // number of the only step that is drawn, from 1; 0: all are
     Statistics statistics;
+    ViewHistory history;
+    Playback playback;
 
     std::vector<Action> actions;
 

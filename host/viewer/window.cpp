@@ -56,7 +56,7 @@ Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& fi
     glfwSetKeyCallback(window,
                        [](GLFWwindow* const at, const int key, int, const int action, const int modifiers) {
                            if (action != GLFW_RELEASE) {
-                               windowOf(at).input.keys.push_back({key, modifiers});
+                               windowOf(at).input.keys.push_back({key, modifiers, action == GLFW_REPEAT});
                            }
                        });
     glfwSetMouseButtonCallback(

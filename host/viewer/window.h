@@ -15,6 +15,7 @@ namespace metamarch::viewer {
 struct KeyPress {
     int key;       // GLFW_KEY_…
     int modifiers; // GLFW_MOD_…
+    bool isRepeat; // the key is held
 };
 
 struct ButtonChange {

@@ -10,10 +10,10 @@ class SavingTest(ViewerTest):
         (self.tmp / "cornell_002.png").write_text("somebody else's")
         for name in ("cornell_001.png", "cornell_003.png"):
             viewer.key("p")
-            viewer.wait_for_line(rf"saved {name}, 5 samples a pixel")
+            viewer.wait_for_line(rf"saved {self.tmp}/{name}, 5 samples a pixel")
         for name in ("cornell_001.exr", "cornell_002.exr"):
             viewer.key("Control_L", "s")
-            viewer.wait_for_line(rf"saved {name}, 5 samples a pixel")
+            viewer.wait_for_line(rf"saved {self.tmp}/{name}, 5 samples a pixel")
         self.assertEqual((self.tmp / "cornell_002.png").read_text(), "somebody else's")
         for ending in ("png", "exr"):
             self.succeed("render", CORNELL, "--spp", "5", "--filter", "tent", "--size", "160x120", "--quiet", "-o", f"headless.{ending}")
@@ -28,7 +28,7 @@ class SavingTest(ViewerTest):
         viewer = self.open(CORNELL, "--spp", "1", "--view", "normals")
         shown = viewer.wait_for_still()
         viewer.key("p")
-        viewer.wait_for_line("saved cornell_001.png")
+        viewer.wait_for_line(f"saved {self.tmp}/cornell_001.png")
         self.assertEqual(self.pixels("cornell_001.png"), shown)
         viewer.key("Control_L", "s")
         viewer.wait_for_line("a view has no film to save: .*")

@@ -54,7 +54,8 @@ class Viewer:
         self.process = subprocess.Popen(
             [metamarch(), "view", *words], cwd=test.tmp, stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.err,
             preexec_fn=die_with_parent,
-            env={**os.environ, **test.environment, "DISPLAY": self.display.name, **(environment or {})})
+            env={**os.environ, **test.environment, "METAMARCH_MESSAGE_SECONDS": "0", "DISPLAY": self.display.name,
+                 **(environment or {})})
         self.read = 0  # of stdout, in characters
         try:
             self.window = wait_until("a window", self.find_window)
@@ -152,6 +153,14 @@ class Viewer:
                 raise TimeoutError("the picture does not come to rest")
             time.sleep(0.05)
         return now
+
+    def wait_for_other_than(self, picture):
+        """Waits until the window shows anything else."""
+        self.wait_until("another picture", lambda: self.screenshot() != picture)
+
+    def wait_for_still_other_than(self, picture):
+        self.wait_for_other_than(picture)
+        return self.wait_for_still()
 
     def wait_for_picture(self, expected):
         """Waits until the window shows exactly `expected`: its last picture may still be on the way to the screen."""
