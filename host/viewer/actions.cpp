@@ -108,6 +108,9 @@ ViewCamera firstCamera(const LoadedScene& scene, const float aspect) {
 
 bool perform(const Action action, const vulkan::DeviceReport& device, ViewerState& state) {
     Settings& settings = state.settings;
+    if (action != Action::undoView && action != Action::redoView) {
+        state.history.keep(state.camera);
+    }
     switch (action) {
     case Action::frameAll:
         state.camera = framing(state.scene->bounds, state.aspect(), state.camera);

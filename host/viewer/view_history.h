@@ -14,9 +14,12 @@ class ViewHistory {
     // Begins with the first view of a scene.
     void start(const ViewCamera& first);
 
-    // Call it once per frame with the present view. A view counts once it has stood still for half a second;
-    // what a drag passes through does not. `seconds` have passed since the last call.
+    // Call it once per frame with the present view. A view counts if it has stood still for half a second, or
+    // if it is kept; what a drag passes through does not count. `seconds` have passed since the last call.
     void follow(const ViewCamera& now, double seconds);
+
+    // Keeps a view that a key or button is about to replace.
+    void keep(const ViewCamera& view);
 
     // Return the view before `now`, or the one that undo() has left; nothing where there is none.
     std::optional<ViewCamera> undo(const ViewCamera& now);
@@ -25,8 +28,6 @@ class ViewHistory {
     const ViewCamera& first() const { return views_.front(); }
 
   private:
-    void keep(const ViewCamera& view);
-
     std::vector<ViewCamera> views_{ViewCamera()};
     std::size_t current_ = 0; // index of the view that is shown, or from which the user is moving away
     ViewCamera last_;

@@ -58,8 +58,8 @@ struct DeviceReport {
 
 // The most storage buffers and texel buffers of one kernel. Vulkan guarantees fewer, but most devices have
 // more.
-inline constexpr uint32_t kMostStorageBuffers = 31;
-inline constexpr uint32_t kMostTexelBuffers = 17;
+inline constexpr uint32_t kMostStorageBuffers = 34;
+inline constexpr uint32_t kMostTexelBuffers = 19;
 
 // The extensions for ray queries. They are enabled if the device has all of them.
 inline constexpr std::array<const char*, 3> kRayQueryExtensions{

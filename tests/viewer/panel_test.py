@@ -66,7 +66,8 @@ class PanelTest(ViewerTest):
         viewer.wait_until("the open section", lambda: self.sections(viewer)[5:] != below)
         controls = scene_section + BAR + TEXT
 
-        variant, pose, time = (controls + i * CONTROL + MIDDLE for i in range(3))
+        variant = controls + MIDDLE
+        pose, time = (controls + TEXT + i * CONTROL + MIDDLE for i in (1, 2))  # below the animation's name
         self.slide(viewer, (60, time), (440, time))  # to the end and beyond
         self.click(viewer, 60, variant)
         self.click(viewer, 60, variant + CONTROL + 2 * TEXT)  # the third in the list
