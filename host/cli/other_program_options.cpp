@@ -38,6 +38,7 @@ constexpr Answer kAnswers[] = {
     {"ortho camera-orthographic orthographic-scale", "`--orthographic HEIGHT`"},
     {"fstop f-stop lens-radius aperture-radius dof", "`--aperture R`"},
     {"focal-distance focus focus-dist", "`--focus-distance`"},
+    {"shadow-plane ground-plane ground floor catcher catch-shadows", "`--shadow-catcher`"},
     {"gpu", "`--backend gpu`"},
     {"cpu", "`--backend cpu`"},
     {"gpu-device gpu-index device-index device-id adapter", "`--device`"},

@@ -123,7 +123,8 @@ void RenderJob::openCheckpoint() {
 
 void RenderJob::loadScene() {
     const Stopwatch import;
-    scene_ = std::make_shared<const Scene>(metamarch::loadScene(options_.scenePath, options_.import));
+    const auto scene = std::make_shared<Scene>(metamarch::loadScene(options_.scenePath, options_.import));
+    scene_ = scene;
     importSeconds_ = import.seconds();
     sceneSha1_ = isStandardInput(options_.scenePath) ? "" : sha1Of(options_.scenePath);
     printWarnings(scene_->warnings);
@@ -133,6 +134,9 @@ void RenderJob::loadScene() {
     const glm::vec2 size(options_.size);
     sceneCamera_ = chooseCamera(*scene_, options_.view, size.x / size.y);
     camera_ = makeCamera(sceneCamera_, options_.size.x, options_.size.y, options_.view.lens);
+    if (options_.catcher.isOn()) { // after the camera, which frames the objects
+        settings_.path.catcher = placeCatcher(*scene, options_.catcher);
+    }
     const Stopwatch build;
     prepared_.emplace(scene_, options_.structure);
     buildSeconds_ = build.seconds();

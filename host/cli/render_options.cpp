@@ -59,6 +59,19 @@ void checkRun(const RenderOptions& options) {
     }
 }
 
+void checkCatcher(const RenderOptions& options) {
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
+    if (options.catcher.isOn() && options.path.integrator == Integrator::primary) {
+        refuse("`--integrator primary` has no shadows for --shadow-catcher");
+    }
+    if (options.catcher.isOn() && options.adaptive.isOn()) {
+        refuse("--noise-threshold judges colours, of which a --shadow-catcher has none: give --spp alone");
+    }
+    if (!options.catcher.isOn() && std::ranges::find(options.aovs, "shadow") != options.aovs.end()) {
+        refuse("--aov shadow is the shadow on a ground: name it by --shadow-catcher");
+    }
+}
+
 void checkChannels(const RenderOptions& options) {
     const std::vector<Aov> chosen = settingsOf(options).aovs();
     if (isPart(options)) {
@@ -167,6 +180,7 @@ void declareRender(SettingList& settings, RenderOptions& options) {
         "denoise", options.isDenoised,
         "Remove noise with Open Image Denoise, if it is installed; in an EXR the channels noisy.* are "
         "the picture without it");
+    declareCatcher(settings, options.catcher);
     declareStorage(settings, options.storage);
     declareCamera(settings, options.view);
     declareTone(settings, options.tone);
@@ -221,6 +235,7 @@ void checkArguments(const RenderOptions& options) {
             "for the gpu");
     }
     checkRun(options);
+    checkCatcher(options);
     checkView(options.view, options.path.integrator);
     checkStructure(options.structure);
 }

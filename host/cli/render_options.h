@@ -25,6 +25,7 @@ struct RenderOptions : PictureOptions {
     float missDepth = std::numeric_limits<float>::infinity();
     PictureStorage storage;
     bool isDenoised = false;
+    CatcherChoice catcher;
     std::optional<render::SampleRange> samples;
     render::AdaptiveChoice adaptive;
     std::optional<PixelRect> crop;

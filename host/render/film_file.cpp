@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 // A file is this preamble, the description as JSON, and the runs in their order: the films of their spans,
 // each as FilmPixel[], LightParts[] and first hits, and then SeenPoint[], in little-endian order. First hits
 // are the number of HitCounts of each pixel, and then the HitCounts. Another layout gets another number.
-constexpr std::array<char, 24> kMagic = {"metamarch sums 2\n"};
+constexpr std::array<char, 24> kMagic = {"metamarch sums 3\n"};
 struct Preamble {
     std::array<char, 24> magic;
     std::uint64_t descriptionBytes;

@@ -67,7 +67,7 @@ class Render {
                 fmt::format("renderPicture: the scene is not lit for {}", nameOf(settings.path.integrator)));
         }
         result_.settings = settings;
-        request_.parts = filmPartsOf(settings.aovs());
+        request_.parts = filmPartsOf(settings.aovs()) | (settings.path.hasCatcher() ? kFilmLight : 0u);
         if ((request_.parts & kFilmHits) != 0) {
             groups_ = groupSurfaces(*scene.scene);
             request_.groups = groups_.ofTriangle;

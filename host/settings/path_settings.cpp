@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/settings/render_settings.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <span>
 
@@ -8,6 +10,30 @@ namespace metamarch {
 namespace {
 
 constexpr const char* kGroup = "Light transport (--integrator path, direct, ao)";
+
+CatcherChoice catcherOf(const std::string& text) {
+    constexpr std::string_view kHeight = "y=";
+    if (text.starts_with(kHeight)) {
+        return {CatcherChoice::Kind::plane,
+                parseFloat(text.substr(kHeight.size()), {.wanted = "y=HEIGHT with a finite number"})};
+    }
+    if (text.empty()) {
+        throw Error(ErrorKind::invalidArgument, "give y=HEIGHT, auto or a material");
+    }
+    return text == "auto" ? CatcherChoice{CatcherChoice::Kind::lowest}
+                          : CatcherChoice{CatcherChoice::Kind::material, 0.0f, text};
+}
+
+std::string textOf(const CatcherChoice& catcher) {
+    switch (catcher.kind) {
+    case CatcherChoice::Kind::plane:
+        return fmt::format("y={}", catcher.height);
+    case CatcherChoice::Kind::lowest:
+        return "auto";
+    default:
+        return catcher.material;
+    }
+}
 
 } // namespace
 
@@ -20,6 +46,16 @@ void declareIntegrator(SettingList& list, PathChoice& path, const std::size_t in
                 "path: global illumination; direct: without bounces; ao: white, under a white sky; primary: "
                 "what is seen, lit from the eye, at pixel centres")
         .oneOf(std::move(offered));
+}
+
+void declareCatcher(SettingList& list, CatcherChoice& catcher) {
+    list.add(
+            "shadow-catcher", Setting::Kind::value,
+            {[&catcher](const std::string& text) { catcher = catcherOf(text); },
+             [&catcher] { return textOf(catcher); }},
+            "A ground that only takes shadow: a plane at this height, or at the scene's lowest point (auto), "
+            "or the surfaces of a material")
+        .withValueName("y=HEIGHT|auto|MATERIAL");
 }
 
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel) {

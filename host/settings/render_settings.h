@@ -8,6 +8,7 @@
 #include "metamarch/settings/setting.h"
 #include "metamarch/shading/light_choice.h"
 #include "metamarch/shading/path_choice.h"
+#include "metamarch/shading/shadow_catcher.h"
 #include "metamarch/shading/view.h"
 
 #include <cstdint>
@@ -27,6 +28,7 @@ void declareStorage(SettingList& list, PictureStorage& storage);
 // The integrators that the list offers are the first `integrators` of kIntegrators.
 void declareIntegrator(SettingList& list, PathChoice& path, std::size_t integrators);
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel);
+void declareCatcher(SettingList& list, CatcherChoice& catcher);
 void declareLight(SettingList& list, LightChoice& light);
 void declareImport(SettingList& list, ImportOptions& options);
 void declareStructure(SettingList& list, AccelerationOptions& options);

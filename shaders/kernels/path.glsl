@@ -28,9 +28,10 @@ layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 
 // Finds the closest triangle that is opaque for this path, or any such triangle. The CPU's loop ends in its
 // middle. This one ends only at its end and does all work under a condition, because of llvmpipe.
-Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at, const uint dimension) {
+Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, const uint dimension,
+                  const uint passed) {
     Trace trace = startTrace(given);
-    if (!hasFeature(kFeatureAlpha)) {
+    if (!hasFeature(kFeatureAlpha | kFeatureCatcher)) {
         traverse(given, anyHit, trace);
         return trace;
     }
@@ -46,7 +47,7 @@ Trace traceAlphaTested(const Ray given, const bool anyHit, const PixelSample at,
             trace = next;
             isFound = !next.finished || next.hit.triangleId == kNoTriangle;
             if (!isFound) {
-                isFound = isThere(ray, loadTriangle(next.recordIndex), at, dimension);
+                isFound = isThere(ray, loadTriangle(next.recordIndex), at, dimension, passed);
                 ray.tMin = next.hit.t;
             }
         }
@@ -79,8 +80,8 @@ void main() {
         if (isOn) {
             const Path path = taken.path;
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
-            const Trace trace =
-                traceAlphaTested(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha));
+            const Trace trace = traceOpaque(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha),
+                                            passedMaterial(settings, path));
             bool isWhole = trace.finished;
             taken.steps += float(trace.steps);
             taken.tests += float(trace.tests);
@@ -95,8 +96,9 @@ void main() {
                 if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
                     const ShadowRay shadow = step.shadow;
                     const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);
-                    const Trace blocker = traceAlphaTested(toLight, true, taken.at,
-                                                           bounceDimension(path.bounce, kBounceLightAlpha));
+                    const Trace blocker =
+                        traceOpaque(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
+                                    passedMaterial(settings, step.path));
                     isWhole = isWhole && blocker.finished;
                     taken.steps += float(blocker.steps);
                     taken.tests += float(blocker.tests);

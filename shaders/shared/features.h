@@ -36,7 +36,8 @@ const uint kFeatureFacets = 1u << 18u;      // the base reflects or refracts, or
 const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter depends on the size of a pixel in texels
 const uint kFeatureFurtherSets = 1u << 20u; // more than two sets of texture coordinates
 const uint kFeatureNormals = 1u << 21u;     // vertices with normals
-const uint kFirstFreeFeature = 1u << 22u;
+const uint kFeatureCatcher = 1u << 22u;     // a shadow catcher
+const uint kFirstFreeFeature = 1u << 23u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES

@@ -108,18 +108,38 @@ SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
     return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
 }
 
-// The radiance of samples in parts, by the number of surfaces that scattered the light. The film has these
-// sums only if kFilmLight is asked.
+// The light of samples in parts. The film has these sums only if kFilmLight is asked.
+//
+// emission, direct and indirect are the radiance, by the number of surfaces that scattered the light. A
+// sample whose camera ray meets the shadow catcher is in the other sums alone. Shadow is the quotient of two
+// of them, so they are kept apart until the end.
 struct LightParts {
-    vec3 emission; // none: lights and surroundings as the camera sees them
+    vec3 emission; // by none: lights and surroundings as the camera sees them
+    float caught;  // number of samples that met the shadow catcher
+    vec3 direct;   // by one
     float padding0;
-    vec3 direct; // one
+    vec3 indirect; // by more than one
     float padding1;
-    vec3 indirect; // more than one
+    vec3 reached; // what a white catcher reflects
     float padding2;
+    vec3 unblocked; // what it would reflect if the lights were there without the objects
+    float padding3;
+    vec3 behind; // radiance of what the camera sees behind the catcher
+    float padding4;
 };
 
-SHARED_FN LightParts noLight() { return LightParts(vec3(0.0f), 0.0f, vec3(0.0f), 0.0f, vec3(0.0f), 0.0f); }
+SHARED_FN LightParts makeLightParts(const vec3 emission, const vec3 direct, const vec3 indirect) {
+    return LightParts(emission, 0.0f, direct, 0.0f, indirect, 0.0f, vec3(0.0f), 0.0f, vec3(0.0f), 0.0f,
+                      vec3(0.0f), 0.0f);
+}
+
+SHARED_FN LightParts noLight() { return makeLightParts(vec3(0.0f), vec3(0.0f), vec3(0.0f)); }
+
+// Returns the light of one sample that met the shadow catcher.
+SHARED_FN LightParts caughtLight(const vec3 reached, const vec3 unblocked, const vec3 behind) {
+    return LightParts(vec3(0.0f), 1.0f, vec3(0.0f), 0.0f, vec3(0.0f), 0.0f, reached, 0.0f, unblocked, 0.0f,
+                      behind, 0.0f);
+}
 
 // Adds light that `scatterings` surfaces have scattered.
 SHARED_FN LightParts addLight(const LightParts parts, const uint scatterings, const vec3 light) {
@@ -135,8 +155,9 @@ SHARED_FN LightParts addLight(const LightParts parts, const uint scatterings, co
 }
 
 SHARED_FN LightParts addParts(const LightParts a, const LightParts b) {
-    return LightParts(a.emission + b.emission, 0.0f, a.direct + b.direct, 0.0f, a.indirect + b.indirect,
-                      0.0f);
+    return LightParts(a.emission + b.emission, a.caught + b.caught, a.direct + b.direct, 0.0f,
+                      a.indirect + b.indirect, 0.0f, a.reached + b.reached, 0.0f, a.unblocked + b.unblocked,
+                      0.0f, a.behind + b.behind, 0.0f);
 }
 
 // Does for their light what addPixel does for `sum` and the block after it.
@@ -171,9 +192,12 @@ const uint kBindLight = 47u;
 const uint kBindTotalLight = 48u;
 const uint kBindHits = 49u; // kBlockSamples words for each pixel
 
-SHARED_ASSERT_SIZE(LightParts, 48)
+SHARED_ASSERT_SIZE(LightParts, 96)
 SHARED_ASSERT_OFFSET(LightParts, direct, 16)
 SHARED_ASSERT_OFFSET(LightParts, indirect, 32)
+SHARED_ASSERT_OFFSET(LightParts, reached, 48)
+SHARED_ASSERT_OFFSET(LightParts, unblocked, 64)
+SHARED_ASSERT_OFFSET(LightParts, behind, 80)
 SHARED_ASSERT_SIZE(FirstHit, 48)
 SHARED_ASSERT_OFFSET(FirstHit, normal, 16)
 SHARED_ASSERT_OFFSET(FirstHit, shadingNormal, 32)

@@ -38,6 +38,11 @@ struct Path {
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
     Media media;  // used with kFeatureVolume
+    // With kFeatureCatcher: the camera ray has met the shadow catcher. Then `radiance` is what the catcher,
+    // which is white to this path, reflects, and the two vectors have the meaning that LightParts gives them.
+    bool isCaught;
+    vec3 unblocked;
+    vec3 behind;
 };
 const uint kNoChannel = 3u;
 
@@ -60,7 +65,7 @@ struct PathStep {
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
     return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel, kAnyNormal,
-                true, cone, media);
+                true, cone, media, false, vec3(0.0f), vec3(0.0f));
 }
 
 // Returns the first ray of a sample as a path.
@@ -95,7 +100,7 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
     PathSample next = arriving;
     next.path = step.path;
     next.light = addLight(arriving.light, arriving.path.bounce, step.path.gained);
-    if (arriving.path.bounce == 0u) {
+    if (arriving.path.bounce == 0u && !step.path.isCaught) {
         const float depth = t * dotProduct(arriving.path.dir, camera.forward);
         next.first = FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal, depth);
     }
@@ -119,9 +124,19 @@ SHARED_FN PathSample afterShadow(const PathSample lit, const uint bounce, const 
     return next;
 }
 
+// Returns the radiance of a sample for the film. A sample of the shadow catcher has none. If one of its sums
+// is not sound, it has one that the film rejects.
+SHARED_FN vec3 filmRadiance(const Path ended) {
+    const bool isSound = isWithin(ended.radiance, kLargestRadiance) &&
+                         isWithin(ended.unblocked, kLargestRadiance) &&
+                         isWithin(ended.behind, kLargestRadiance);
+    const vec3 ofCaught = isSound ? vec3(0.0f) : vec3(2.0f * kLargestRadiance);
+    return ended.isCaught ? ofCaught : ended.radiance;
+}
+
 // Adds a sample whose path has ended to the sums of its block.
 SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
-    FilmPixel added = addSample(sum, ended.path.radiance, ended.first);
+    FilmPixel added = addSample(sum, filmRadiance(ended.path), ended.first);
     added.rays = sum.rays + ended.rays;
     added.shadowRays = sum.shadowRays + ended.shadowRays;
     added.steps = sum.steps + ended.steps;
@@ -130,7 +145,32 @@ SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
 }
 
 SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended) {
-    return addSampleLight(sum, ended.path.radiance, ended.light);
+    const Path path = ended.path;
+    LightParts light = ended.light;
+    if (path.isCaught) {
+        light = caughtLight(path.radiance, path.unblocked, path.behind);
+    }
+    return addSampleLight(sum, filmRadiance(path), light);
+}
+
+// Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
+// ray has met.
+SHARED_FN bool isFromCatcher(const Path path) { return path.isCaught && path.bounce == 1u; }
+
+// Returns the material of surfaces that are not there for the rays of `path`. The catcher does not shadow
+// itself: what it is laid over in the end has these shadows already.
+SHARED_FN uint passedMaterial(const PathSettings settings, const Path path) {
+    return hasFeature(kFeatureCatcher) && isFromCatcher(path) ? settings.catcher : kNoCatcher;
+}
+
+// Returns the settings for light between an emitter and a surface. How bright a hidden emitter would be in a
+// direction is known to light sampling alone, so it alone finds the emitters that the catcher sees.
+SHARED_FN PathSettings emitterSettings(const PathSettings settings, const bool isOfCatcher) {
+    PathSettings result = settings;
+    if (hasFeature(kFeatureCatcher) && isOfCatcher) {
+        result.strategies = settings.strategies & ~kSampleBsdf;
+    }
+    return result;
 }
 
 // Returns the weight of a technique with density `own` beside one with density `other`. The tables of the
@@ -167,14 +207,15 @@ SHARED_FN vec3 clampedGain(const PathSettings settings, const vec3 gain) {
 }
 
 // Returns true if the triangle that was hit is opaque for this path. A blended one is opaque with a
-// probability equal to its coverage.
+// probability equal to its coverage. `passed` is the result of passedMaterial.
 SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle, const PixelSample at,
-                       const uint dimension) {
+                       const uint dimension, const uint passed) {
     const Surface surface = loadSurface(SCENE triangle.triangleId);
     const MaterialRecord record = loadMaterial(SCENE surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
     const float part = coverage(SCENE record, surface, weights, finestPoint(SCENE surface, weights));
-    return part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part;
+    const bool isPassed = hasFeature(SCENE kFeatureCatcher) && surface.material == passed;
+    return !isPassed && (part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part);
 }
 
 // Ends a path whose ray hits no triangle.
@@ -193,6 +234,9 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     const bool isSeen = (settings.strategies & kHideSurroundings) == 0u;
     ended.gained = path.bounce > 0u ? clampedGain(settings, whole) : isSeen ? whole : vec3(0.0f);
     ended.radiance = path.radiance + ended.gained;
+    if (hasFeature(SCENE kFeatureCatcher) && isFromCatcher(path)) {
+        ended.unblocked = path.unblocked + ended.gained;
+    }
     ended.isAlive = false;
     return ended;
 }
@@ -236,7 +280,9 @@ SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, co
     const vec2 u = sample2d(at, bounceDimension(path.bounce, kBounceLight));
     const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, bin, u);
     const BsdfValue found = evalBsdf(bsdf, light.wi);
-    const float weight = sampledWeight(settings, light.pdf, found.pdf, light.isMap);
+    const PathSettings ofLight =
+        emitterSettings(settings, path.isCaught && path.bounce == 0u && !light.isFar);
+    const float weight = sampledWeight(ofLight, light.pdf, found.pdf, light.isMap);
     const vec3 origin = offsetPoint(point, light.wi);
     const vec3 dir = light.isFar ? light.wi : light.end - origin;
     vec3 arriving = light.arriving;
@@ -314,7 +360,9 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
                                const Ray ray, const float t, const TriangleRecord triangle,
                                const PixelSample at) {
     const Surface surface = loadSurface(SCENE triangle.triangleId);
-    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const bool isCatcher =
+        hasFeature(SCENE kFeatureCatcher) && arriving.bounce == 0u && surface.material == settings.catcher;
+    const MaterialRecord record = loadMaterial(SCENE isCatcher ? settings.catcherWhite : surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
     const SurfacePoint point = makeSurfacePoint(triangle, weights);
     const float width = widthAt(arriving.cone, t);
@@ -355,13 +403,22 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
         const float density = solidAngleDensity(record.emissionDensity, t * t, cosine);
         const vec3 emitted = record.emission * xyz(lookUp(SCENE record.emissionTexture, uv));
-        gain =
-            emitted * (isShown ? bsdf.emissionScale * foundWeight(settings, path.pdf, density, false) : 0.0f);
+        gain = emitted *
+               (isShown ? bsdf.emissionScale * foundWeight(emitterSettings(settings, isFromCatcher(path)),
+                                                           path.pdf, density, false)
+                        : 0.0f);
     }
     const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
     const vec3 arrived = path.radiance;
     path.gained = path.bounce > 0u ? clampedGain(settings, shown) : shown;
     path.radiance = arrived + path.gained;
+    if (hasFeature(SCENE kFeatureCatcher) && (isCatcher || isFromCatcher(path))) {
+        // What shines is a light, and what else is in the way is an object.
+        const vec3 around = leaveScene(SCENE settings, arriving).gained;
+        path.unblocked = isCatcher ? path.unblocked : path.unblocked + around + path.gained;
+        path.behind = isCatcher ? around : path.behind;
+        path.isCaught = true;
+    }
 
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
     const uint bin = lightBin(SCENE bsdf);
@@ -377,6 +434,9 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         next.gained = vec3(0.0f);
     }
     next.isAlive = next.isAlive && !isLast;
+    if (hasFeature(SCENE kFeatureCatcher) && isCatcher && shadow.isNeeded) {
+        next.unblocked = next.unblocked + shadow.gain;
+    }
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);
 }

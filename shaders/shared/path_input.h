@@ -45,9 +45,9 @@ struct PathStatus {
 };
 
 SHARED_ASSERT_SIZE(PathStatus, 20)
-SHARED_ASSERT_SIZE(PathInput, 240)
+SHARED_ASSERT_SIZE(PathInput, 256)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
-SHARED_ASSERT_OFFSET(PathInput, areaLeft, 224)
+SHARED_ASSERT_OFFSET(PathInput, areaLeft, 240)
 SHARED_ASSERT_SIZE(PathPush, 24)
 SHARED_ASSERT_SIZE(AddBlockPush, 4)
 

@@ -34,16 +34,22 @@ struct PathSettings {
     Media eyeMedia;        // what the camera's eye is inside of
     uint blockColumnShift; // log2 of the columns of cells in a block of the map
     uint blockRowShift;
+    uint catcher;      // with kFeatureCatcher, the material of the shadow catcher's surfaces
+    uint catcherWhite; // the material by which they measure shadow
     uint padding0;
+    uint padding1;
+    uint padding2;
 };
 const uint kNoSun = 0xffffffffu;
+const uint kNoCatcher = 0xffffffffu;
 
-SHARED_ASSERT_SIZE(PathSettings, 96)
+SHARED_ASSERT_SIZE(PathSettings, 112)
 SHARED_ASSERT_OFFSET(PathSettings, maxBounces, 12)
 SHARED_ASSERT_OFFSET(PathSettings, seed, 16)
 SHARED_ASSERT_OFFSET(PathSettings, environmentWidth, 36)
 SHARED_ASSERT_OFFSET(PathSettings, sunIndex, 64)
 SHARED_ASSERT_OFFSET(PathSettings, eyeMedia, 68)
+SHARED_ASSERT_OFFSET(PathSettings, catcher, 92)
 
 SHARED_END
 #endif

@@ -2,11 +2,13 @@
 #include "metamarch/image/aov.h"
 
 #include "metamarch/error/error.h"
+#include "metamarch/shared/math.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -29,16 +31,41 @@ glm::vec3 varianceOfMean(const AovPixel& pixel) {
     return spread / std::max(count - 1.0f, 1.0f);
 }
 
+// Returns, channel by channel, the part of the light that the objects leave to the shadow catcher.
+glm::vec3 leftLight(const LightParts& light) {
+    glm::vec3 left(1.0f);
+    for (int i = 0; i < 3; ++i) {
+        const float part = light.reached[i] / light.unblocked[i];
+        left[i] = light.unblocked[i] > 0.0f && std::isfinite(part) ? part : 1.0f;
+    }
+    return left;
+}
+
+// Returns the radiance of what is seen through the shadow catcher.
+glm::vec3 seenBehind(const AovPixel& pixel) {
+    return pixel.light.behind * leftLight(pixel.light) / counted(pixel);
+}
+
+glm::vec3 radianceOf(const AovPixel& pixel) {
+    const glm::vec3 mean = meanRadiance(pixel.film);
+    return pixel.light.caught > 0.0f ? mean + seenBehind(pixel) : mean;
+}
+
+float coverageOf(const AovPixel& pixel) {
+    const float shadow = 1.0f - std::min(luminance(leftLight(pixel.light)), 1.0f);
+    return (pixel.film.covered + pixel.light.caught * shadow) / counted(pixel);
+}
+
 // A channel is the mean over the pixel's samples unless its meaning says otherwise.
 constexpr Aov kAovs[] = {
     {.names = "R G B",
      .meaning = "radiance, linear",
-     .value = [](const AovPixel& pixel) { return meanRadiance(pixel.film); },
+     .value = radianceOf,
      .use = AovUse::always,
      .precision = AovPrecision::small},
     {.names = "A",
-     .meaning = "part of the pixel that something covers, 0 to 1",
-     .value = [](const AovPixel& pixel) { return glm::vec3(pixel.film.covered / counted(pixel)); },
+     .meaning = "part of the pixel that something covers, or that a shadow catcher darkens, 0 to 1",
+     .value = [](const AovPixel& pixel) { return glm::vec3(coverageOf(pixel)); },
      .use = AovUse::always,
      .precision = AovPrecision::small},
     {.names = "Z",
@@ -74,7 +101,7 @@ constexpr Aov kAovs[] = {
      .writer = AovWriter::pathTracer},
     {.names = "emission.R emission.G emission.B",
      .meaning = "radiance of lights and surroundings as the camera sees them",
-     .value = [](const AovPixel& pixel) { return pixel.light.emission / counted(pixel); },
+     .value = [](const AovPixel& pixel) { return pixel.light.emission / counted(pixel) + seenBehind(pixel); },
      .use = AovUse::asked,
      .writer = AovWriter::pathTracer,
      .precision = AovPrecision::small,
@@ -93,9 +120,16 @@ constexpr Aov kAovs[] = {
      .writer = AovWriter::pathTracer,
      .precision = AovPrecision::small,
      .filmParts = kFilmLight},
+    {.names = "shadow.R shadow.G shadow.B",
+     .meaning = "part of the light that objects leave to the shadow catcher; 1 where it is not seen",
+     .value = [](const AovPixel& pixel) { return leftLight(pixel.light); },
+     .use = AovUse::asked,
+     .writer = AovWriter::pathTracer,
+     .precision = AovPrecision::small,
+     .filmParts = kFilmLight},
     {.names = "noisy.R noisy.G noisy.B",
      .meaning = "R G B before the noise was removed",
-     .value = [](const AovPixel& pixel) { return meanRadiance(pixel.film); },
+     .value = radianceOf,
      .use = AovUse::denoised,
      .writer = AovWriter::pathTracer,
      .precision = AovPrecision::small},

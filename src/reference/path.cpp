@@ -19,9 +19,9 @@ struct Render {
 
 // Finds the closest triangle that is opaque for this path, or any such triangle. kernels/path.glsl has
 // another loop, because of llvmpipe.
-TraceResult traceAlphaTested(const Render& render, const Ray& given, const HitQuery query,
-                             const PixelSample at, const uint dimension) {
-    if (!hasFeature(render.scene, kFeatureAlpha)) {
+TraceResult traceOpaque(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
+                        const uint dimension, const uint passed) {
+    if (!hasFeature(render.scene, kFeatureAlpha | kFeatureCatcher)) {
         return traceKdStack(render.structure, given, query);
     }
     Ray ray = given;
@@ -32,7 +32,8 @@ TraceResult traceAlphaTested(const Render& render, const Ray& given, const HitQu
         next.tests += result.tests;
         result = next;
         if (result.hit.triangleId == kNoTriangle ||
-            isThere(render.scene, ray, render.structure.triangles[result.recordIndex], at, dimension)) {
+            isThere(render.scene, ray, render.structure.triangles[result.recordIndex], at, dimension,
+                    passed)) {
             return result;
         }
         ray.tMin = result.hit.t;
@@ -51,8 +52,9 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
     while (taken.path.isAlive) {
         const Path path = taken.path;
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
-        const TraceResult trace = traceAlphaTested(render, ray, HitQuery::closest, taken.at,
-                                                   bounceDimension(path.bounce, kBounceAlpha));
+        const TraceResult trace =
+            traceOpaque(render, ray, HitQuery::closest, taken.at, bounceDimension(path.bounce, kBounceAlpha),
+                        passedMaterial(render.settings, path));
         count(taken, trace);
         ++taken.rays;
         if (trace.hit.triangleId == kNoTriangle) {
@@ -65,8 +67,9 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
         if (step.shadow.isNeeded) {
             const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
                                         step.shadow.tMax);
-            const TraceResult blocker = traceAlphaTested(render, toLight, HitQuery::any, taken.at,
-                                                         bounceDimension(path.bounce, kBounceLightAlpha));
+            const TraceResult blocker = traceOpaque(render, toLight, HitQuery::any, taken.at,
+                                                    bounceDimension(path.bounce, kBounceLightAlpha),
+                                                    passedMaterial(render.settings, step.path));
             count(taken, blocker);
             ++taken.shadowRays;
             if (blocker.hit.triangleId == kNoTriangle) {

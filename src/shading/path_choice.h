@@ -45,10 +45,12 @@ struct PathChoice {
     std::uint32_t seed = 0;
     float clamp = 0.0f; // largest luminance of one contribution to a sample: see clampedGain; 0: no limit
     Brdf brdf = Brdf::compensated;
-    bool isTransparent = false; // the camera does not see what is all around
+    bool isTransparent = false;          // the camera does not see what is all around
+    std::uint32_t catcher = kNoMaterial; // the material whose surfaces only catch shadow
 
     bool operator==(const PathChoice&) const = default;
 
+    bool hasCatcher() const { return catcher != kNoMaterial; }
     bool isOcclusion() const { return integrator == Integrator::ao; }
 
     // Returns `settings`, which the scene has set, with these choices.
@@ -61,7 +63,7 @@ struct PathChoice {
     }
 
     ShadingOptions shading() const {
-        return {.isSingleScatter = brdf == Brdf::gltf, .isWhite = isOcclusion()};
+        return {.isSingleScatter = brdf == Brdf::gltf, .isWhite = isOcclusion(), .catcher = catcher};
     }
 };
 

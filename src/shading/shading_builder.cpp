@@ -70,8 +70,8 @@ MaterialRecord recordOf(const Material& m, const ShadingOptions& options, TexelS
     return record;
 }
 
-// Returns the white, diffuse material of the integrator `ao`. It has no textures, so holes that a texture
-// cuts are closed; the alpha of the material itself stays.
+// Returns the white, diffuse material of the integrator `ao` and of shadow catchers. It has no textures, so
+// holes that a texture cuts are closed; the alpha of the material itself stays.
 Material whitened(const Material& material) {
     Material white;
     white.metallicFactor = 0.0f;
@@ -123,7 +123,14 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
     ShadingScene target;
     TexelStore texels(scene, chunkBytes, target);
     std::vector<glm::vec3> meanEmission;
-    for (const Material& given : materialsWithGrey(scene)) {
+    std::vector<Material> materials = materialsWithGrey(scene);
+    target.settings.catcher = options.catcher;
+    if (options.catcher != kNoMaterial) {
+        target.settings.catcherWhite = static_cast<std::uint32_t>(materials.size());
+        target.features |= kFeatureCatcher;
+        materials.push_back(whitened({}));
+    }
+    for (const Material& given : materials) {
         const Material material = options.isWhite ? whitened(given) : given;
         target.features |= featuresOf(material);
         target.materials.push_back(recordOf(material, options, texels));

@@ -15,6 +15,7 @@ inline constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 struct ShadingOptions {
     bool isSingleScatter = false; // the BRDF `gltf`
     bool isWhite = false;         // the integrator `ao`: all surfaces are white, diffuse and not emissive
+    std::uint32_t catcher = kNoMaterial; // the material of the surfaces that only catch shadow
 
     bool operator==(const ShadingOptions&) const = default;
 };

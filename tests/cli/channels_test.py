@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Channels, headers and storage of pictures, read back by OpenImageIO's Python library."""
+import base64
 import json
 import math
 import struct
@@ -44,6 +45,37 @@ def transformed(point, matrix):
     """A row vector times OpenEXR's matrix, divided by its last number."""
     x, y, z, w = (sum(a * matrix[4 * row + column] for row, a in enumerate([*point, 1])) for column in range(4))
     return x / w, y / w, z / w
+
+
+def write_quads(file, quads):
+    """Writes quads (corner, right, up, reflectance) as a glTF with a lamp far away. The materials are diffuse."""
+    greys = sorted({grey for *_, grey in quads})
+    data, views, accessors, primitives = b"", [], [], []
+    for grey in greys:
+        points = []
+        for corner, right, up in ((c, r, u) for c, r, u, g in quads if g == grey):
+            a, b, c, d = ([corner[i] + s * right[i] + t * up[i] for i in range(3)] for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            points += [a, b, c, a, c, d]
+        flat = [number for point in points for number in point]
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": 4 * len(flat)})
+        accessors.append({"bufferView": len(views) - 1, "componentType": 5126, "count": len(points), "type": "VEC3"})
+        primitives.append({"attributes": {"POSITION": len(accessors) - 1}, "material": len(primitives)})
+        data += struct.pack(f"<{len(flat)}f", *flat)
+    materials = [{"name": f"grey {grey}", "extensions": {"KHR_materials_specular": {"specularFactor": 0}},
+                  "pbrMetallicRoughness": {"baseColorFactor": [grey, grey, grey, 1], "metallicFactor": 0}} for grey in greys]
+    file.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "meshes": [{"primitives": primitives}], "materials": materials,
+        # The lamp shines along -z of its node, which the rotation turns to (2, -2, 1) / 3.
+        "nodes": [{"mesh": 0}, {"rotation": [-0.5773503, -0.5773503, 0, 0.5773503], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 2}]}},
+        "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_specular"], "scenes": [{"nodes": [0, 1]}], "scene": 0,
+        "bufferViews": views, "accessors": accessors,
+        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]}))
+
+
+BOX = [((-0.5, 1, -0.5), (0, 0, 1), (1, 0, 0), 0.6), ((-0.5, 0, 0.5), (1, 0, 0), (0, 1, 0), 0.6), ((0.5, 0, -0.5), (-1, 0, 0), (0, 1, 0), 0.6),
+       ((0.5, 0, 0.5), (0, 0, -1), (0, 1, 0), 0.6), ((-0.5, 0, -0.5), (0, 0, 1), (0, 1, 0), 0.6)]
+CHECKERS = [((x, 0, z), (0, 0, 1), (1, 0, 0), 0.8 if (x + z) % 2 else 0.2) for x in range(-6, 6) for z in range(-6, 6)]
 
 
 class ChannelsTest(ProgramTest):
@@ -138,7 +170,7 @@ class ChannelsTest(ProgramTest):
         for spec in self.specs("parts.exr"):
             layers[spec.getattribute("oiio:subimagename")] = spec.channelnames
             for i, channel in enumerate(spec.channelnames):
-                small = channel in "RGBA" or channel.split(".")[0] in ("N", "Ns", "albedo", "emission", "direct", "indirect")
+                small = channel in "RGBA" or channel.split(".")[0] in ("N", "Ns", "albedo", "emission", "direct", "indirect", "shadow")
                 whole = channel.startswith("id.") or channel == "samples"
                 self.assertEqual(str(spec.channelformat(i)), "half" if small else "uint" if whole else "float", channel)
         self.assertEqual(layers["rgba"], ("R", "G", "B", "A"))
@@ -208,6 +240,62 @@ class ChannelsTest(ProgramTest):
         self.render(*words, "--transparent", name="a.png")
         self.assertEqual(self.specs("a.png")[0].nchannels, 4)
 
+    def test_shadow_catcher_over_a_checkerboard(self):
+        """A picture of a box and its shadow, laid over one of a checkerboard, is one of the box on the checkerboard: where a
+        pixel of the ground has one colour, to the last digits, because both take the same samples."""
+        for name, quads in (("box", BOX), ("board", CHECKERS), ("both", BOX + CHECKERS)):
+            write_quads(self.tmp / f"{name}.gltf", quads)
+        words = ("--spp", "20", "--integrator", "direct", "--background", "0.4,0.4,0.4", "--eye", "1.5,3,2.5", "--target", "0,0.2,0")
+        render = lambda scene, *more, **keys: self.render(*words, *more, scene=f"{scene}.gltf", **keys)
+        catcher = ("--shadow-catcher", "y=0", "--transparent")
+        box = render("box", *catcher, "--aov", "shadow,Z,id.material", name="box.exr")
+        board = render("board", "--aov", "albedo")
+        plain = render("both")
+        shown = render("box", "--shadow-catcher", "y=0")
+        exact = dark = edges = surplus = 0
+        for y in range(HEIGHT):
+            for x in range(WIDTH):
+                alpha = box["A"][y][x]
+                laid = box["R"][y][x] + (1 - alpha) * board["R"][y][x]
+                albedo = board["albedo.R"][y][x]
+                if box["R"][y][x] == 0 and min(abs(albedo - 0.2), abs(albedo - 0.8)) < 1e-5:
+                    exact += 1
+                    self.assertAlmostEqual(laid, plain["R"][y][x], places=5)
+                surplus += laid - plain["R"][y][x]
+                self.assertAlmostEqual(box["R"][y][x] + (1 - alpha) * 0.4, shown["R"][y][x], places=5)
+                self.assertLessEqual(1 - alpha, box["shadow.G"][y][x] + 1e-6)
+                self.assertEqual(box["Z"][y][x] == math.inf, box["id.material"][y][x] == MISS)
+                if 0 < box["shadow.G"][y][x] < 1 - alpha + 1e-6:  # nothing but ground
+                    dark += box["shadow.G"][y][x] < 0.6
+                    self.assertEqual((box["R"][y][x], box["id.material"][y][x]), (0, MISS))
+                elif box["shadow.R"][y][x] < 1:
+                    edges += 1
+        self.assertGreater(exact, WIDTH * HEIGHT / 2)
+        self.assertGreater(dark, 20)
+        self.assertGreater(edges, 10)
+        self.assertAlmostEqual(surplus / (WIDTH * HEIGHT), 0, delta=0.002)  # the box sees the end of the board
+
+        more = ("--aov", "shadow,Z,id.material")
+        render("box", "--shadow-catcher", "auto", "--transparent", *more, name="auto.exr")
+        self.succeed("compare", "auto.exr", "box.exr", "--max-abs", "0")
+        for name, samples in (("a.part", "0:7"), ("b.part", "7:20")):
+            self.succeed("render", "box.gltf", "-o", name, *SIZE, "--quiet", "--backend", "cpu", *words[2:], *catcher, "--aov", "shadow",
+                         "--samples", samples)
+        self.succeed("merge", "a.part", "b.part", "-o", "merged.exr")
+        merged = self.read_picture("merged.exr")
+        self.assertEqual((merged["A"], merged["shadow.B"]), (box["A"], box["shadow.B"]))
+
+    def test_shadow_catcher_of_a_material(self):
+        write_quads(self.tmp / "both.gltf", BOX + [((-9, 0, -9), (0, 0, 18), (18, 0, 0), 0.3)])
+        words = ("--spp", "4", "--background", "0.4,0.4,0.4", "--eye", "1.5,3,2.5", "--target", "0,0.2,0", "--transparent")
+        for chosen in ("grey 0.3", "0"):
+            picture = self.render(*words, "--shadow-catcher", chosen, scene="both.gltf")
+            ground = [picture["A"][y][x] for y in range(HEIGHT) for x in range(WIDTH) if picture["R"][y][x] == 0]
+            self.assertGreater(len(ground), WIDTH * HEIGHT / 2)
+            self.assertTrue(min(ground) == 0 and 0.1 < max(ground) < 1)
+        line = self.refuse(2, "render", "both.gltf", "-o", "b.exr", "--shadow-catcher", "floor")
+        self.assertEqual(line, "there is no material floor; the scene has 0 'grey 0.3', 1 'grey 0.6'; a plane is y=HEIGHT or auto (--shadow-catcher)")
+
     def test_pictures_for_people(self):
         self.render("--spp", "1", name="a.png")
         shown = self.read_picture("a.png")
@@ -252,7 +340,12 @@ class ChannelsTest(ProgramTest):
                                 ("-o a.exr --compression dwa", "give zip, zips, piz, none, dwaa or dwaa:LEVEL"),
                                 ("-o a.exr --compression dwaa:x", "level from 0 to 100000"),
                                 ("-o a.exr --miss-depth nan", "give inf or a finite number"),
-                                ("-o a.jpg --transparent", "a JPEG cannot be transparent")):
+                                ("-o a.jpg --transparent", "a JPEG cannot be transparent"),
+                                ("-o a.exr --shadow-catcher y=low", "give y=HEIGHT with a finite number"),
+                                ("-o a.exr --shadow-catcher y=inf", "give y=HEIGHT with a finite number"),
+                                ("-o a.exr --shadow-catcher auto --integrator primary", "has no shadows"),
+                                ("-o a.exr --shadow-catcher auto --noise-threshold 0.1", "give --spp alone"),
+                                ("-o a.exr --aov shadow", "name it by --shadow-catcher")):
             with self.subTest(words=words):
                 self.assertIn(expected, self.refuse(2, "render", CORNELL, *words.split()))
 

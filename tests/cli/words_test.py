@@ -31,6 +31,7 @@ ANSWERS = {
     "sRGB": "--gamma",
     "--exposure": "--gain --ev",
     "--transparent": "--film-transparent --no-background --alpha",
+    "--shadow-catcher": "--shadow-plane --ground-plane",
     "denoiser": "--denoise",
     "--crop": "--border --crop-window",
     "no file of settings": "--config",

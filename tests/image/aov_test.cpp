@@ -199,6 +199,30 @@ TEST(Aov, dividesLightByScatterings) {
     EXPECT_EQ(valueOf(image, "indirect.G"), 1.0f);
 }
 
+// Of four samples, one meets an object and three the shadow catcher.
+TEST(Aov, laysShadowOverWhatIsBehindIt) {
+    FilmPixel pixel = addSample(emptyPixel(), glm::vec3(8.0f), hitAt(1.0f));
+    LightParts light = addLight(noLight(), 1u, glm::vec3(8.0f));
+    for (int i = 0; i < 3; ++i) {
+        pixel = addSample(pixel, glm::vec3(0.0f), missFirst());
+        light = addParts(light, caughtLight({0.5f, 1.0f, 3.0f}, {1.0f, 2.0f, 2.0f}, glm::vec3(4.0f)));
+    }
+    const Image image = imageOf(pixel, light);
+    EXPECT_EQ(valueOf(image, "shadow.R"), 0.5f);
+    EXPECT_EQ(valueOf(image, "shadow.G"), 0.5f);
+    EXPECT_EQ(valueOf(image, "shadow.B"), 1.5f);
+    EXPECT_EQ(valueOf(image, "R"), 2.0f + 3.0f * 4.0f * 0.5f / 4.0f);
+    EXPECT_EQ(valueOf(image, "emission.B"), 3.0f * 4.0f * 1.5f / 4.0f);
+    const float left = 0.5f * (0.2126f + 0.7152f) + 1.5f * 0.0722f;
+    EXPECT_NEAR(valueOf(image, "A"), (1.0f + 3.0f * (1.0f - left)) / 4.0f, 1e-6f);
+
+    // A ground without light has no shadow, and a brighter one does not uncover anything.
+    EXPECT_EQ(valueOf(imageOf(pixel, caughtLight(glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f))), "A"),
+              0.25f);
+    EXPECT_EQ(valueOf(imageOf(pixel, caughtLight(glm::vec3(3.0f), glm::vec3(1.0f), glm::vec3(0.0f))), "A"),
+              0.25f);
+}
+
 TEST(Aov, isANumberBeforeTheFirstSample) {
     const Image image = imageOf(emptyPixel());
     for (const float value : image.pixels) {

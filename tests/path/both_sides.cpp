@@ -66,6 +66,13 @@ void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPi
     EXPECT_EQ(different, 0u) << "pixels of " << film.size();
 }
 
+void expectSameLight(const std::vector<LightParts>& light, const std::vector<LightParts>& expected) {
+    ASSERT_EQ(light.size(), expected.size());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        ASSERT_EQ(std::memcmp(&light[i], &expected[i], sizeof(LightParts)), 0) << "pixel " << i;
+    }
+}
+
 void expectPicture(const std::vector<FilmPixel>& film) {
     std::size_t bright = 0;
     for (const FilmPixel& pixel : film) {

@@ -51,6 +51,9 @@ extern const std::string kDefaultTraversal;
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b);
 void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected);
 
+// Compares all bits.
+void expectSameLight(const std::vector<LightParts>& light, const std::vector<LightParts>& expected);
+
 // Expects a film whose pixels are neither all black nor all equal.
 void expectPicture(const std::vector<FilmPixel>& film);
 

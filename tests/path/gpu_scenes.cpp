@@ -235,6 +235,12 @@ PathScene nestedVolumes() {
     });
 }
 
+// The floor is the catcher.
+PathScene withCatcher(PathScene made) {
+    made.options.catcher = kFloor;
+    return made;
+}
+
 } // namespace
 
 PathScene blended() { return withAlpha(AlphaMode::blend); }
@@ -371,7 +377,17 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
                  made.camera.isPanorama = true;
              });
          }},
-        {"everything", everything},
+        {"shadow_catcher",
+         [] {
+             return withCatcher(ballScene([](PathScene& made, Material&) {
+                 lamp(made);
+                 sky(made);
+             }));
+         },
+         {.samples = 19, .maxBounces = 3, .filmParts = kFilmLight}},
+        {"everything",
+         [] { return withCatcher(everything()); },
+         {.samples = 5, .maxBounces = 6, .filmParts = kFilmLight}},
         {"far_away",
          [] {
              PathScene made = blended();

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// The shadow catcher: its shadow by closed forms and by plain renders of a white ground, and what the camera
+// sees of it.
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/path.h"
+#include "metamarch/shading/light/sky.h"
+#include "metamarch/shading/shadow_catcher.h"
+#include "path/path_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace metamarch::tests {
+namespace {
+
+constexpr std::uint32_t kSide = 8;
+
+FilmData filmOf(const PathScene& made, const PathWork& work) {
+    const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
+    const ShadingScene shading = shadingOf(made);
+    const Camera camera = makeCamera(made.view, kSide, kSide, made.camera);
+    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples,
+                            {.parts = kFilmLight});
+}
+
+// Sums over all pixels.
+struct Caught {
+    glm::dvec3 reached{0.0};
+    glm::dvec3 unblocked{0.0};
+    glm::dvec3 behind{0.0};
+    double samples = 0.0;
+
+    glm::dvec3 left() const { return reached / unblocked; }
+};
+
+Caught caughtBy(const PathScene& made, const PathWork& work) {
+    Caught sum;
+    for (const LightParts& light : filmOf(made, work).light) {
+        sum.reached += glm::dvec3(light.reached);
+        sum.unblocked += glm::dvec3(light.unblocked);
+        sum.behind += glm::dvec3(light.behind);
+        sum.samples += light.caught;
+    }
+    return sum;
+}
+
+void addCatcher(PathScene& made, const CatcherChoice& choice = {CatcherChoice::Kind::plane, 0.0f}) {
+    made.options.catcher = placeCatcher(made.scene, choice);
+}
+
+// A black square of side 2 at height 1, seen from below it: the camera looks at the ground under its centre.
+PathScene underSquare() {
+    PathScene made;
+    addQuad(made.scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, addMaterial(made.scene, lambert(glm::vec3(0.0f))));
+    made.view = lookAt({0, 0.5f, 0}, {0, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1e-3f;
+    return made;
+}
+
+// The form factor from a point to a square of side 2 that is parallel to it, centred, at distance 1. J. R.
+// Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3.
+const double kHiddenSky = 4.0 / std::numbers::pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5));
+
+// Four standard errors of a mean of 64 * 256 zeros and ones.
+constexpr double kNoise = 0.016;
+constexpr PathWork kWork{.samples = 256, .maxBounces = 4};
+
+TEST(ShadowCatcher, takesOcclusionInClosedForm) {
+    PathScene made = underSquare();
+    addCatcher(made);
+    made.surroundings.background = {1.0f, 2.0f, 3.0f};
+    const Caught caught = caughtBy(made, kWork);
+    EXPECT_EQ(caught.samples, kSide * kSide * kWork.samples);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(caught.unblocked[c], caught.samples * (c + 1), 1e-4 * caught.samples);
+        EXPECT_NEAR(caught.left()[c], 1.0 - kHiddenSky, kNoise);
+        EXPECT_NEAR(caught.behind[c], caught.samples * (c + 1), 1e-4 * caught.samples);
+    }
+}
+
+// A red light from straight above is hidden, and the white sky is in part: the shadow has a colour.
+TEST(ShadowCatcher, takesShadowOfEachColour) {
+    PathScene made = underSquare();
+    addCatcher(made);
+    made.surroundings.background = glm::vec3(0.5f);
+    PunctualLight light;
+    light.type = PunctualLight::Type::directional;
+    light.direction = {0, -1, 0};
+    light.color = {1, 0, 0};
+    light.intensity = 2.0f * std::numbers::pi_v<float>; // a white surface reflects a radiance of 2
+    made.scene.lights.push_back(light);
+    const glm::dvec3 left = caughtBy(made, kWork).left();
+    EXPECT_NEAR(left.r, 0.5 * (1.0 - kHiddenSky) / 2.5, kNoise);
+    EXPECT_NEAR(left.b, 1.0 - kHiddenSky, kNoise);
+}
+
+// A lamp, a sun and a map: everything that light sampling and BSDF sampling find together.
+PathScene litByAll(const bool hasObject) {
+    PathScene made;
+    if (hasObject) {
+        addBox(made.scene, {-0.5f, 0.0f, -0.5f}, {0.5f, 1.0f, 0.5f},
+               addMaterial(made.scene, lambert(glm::vec3(0.9f, 0.5f, 0.2f))));
+    }
+    addQuad(made.scene, {-2.0f, 1.5f, -0.7f}, {0.3f, 0.6f, 0}, {0, 0, 1},
+            addMaterial(made.scene, emitter({40, 60, 90})));
+    Sky above = makeSky({.width = 32});
+    made.surroundings.environment = above.environment;
+    made.surroundings.sun = above.sun;
+    made.surroundings.intensity = 3.0f;
+    addPointLight(made.scene, {1.5f, 2.0f, 1.0f}, 2.0f);
+    made.view = lookAt({0.9f, 3.0f, 0.4f}, {0.8f, 0.0f, 0.3f}, {0, 0, 1});
+    made.view.verticalFov = 0.15f;
+    return made;
+}
+
+// Returns the sum of the radiance of a white ground in a plain render, over all samples.
+glm::dvec3 whiteGround(PathScene made, const PathWork& work) {
+    addQuad(made.scene, {-60, 0, -60}, {0, 0, 120}, {120, 0, 0},
+            addMaterial(made.scene, lambert(glm::vec3(1.0f))));
+    glm::dvec3 sum(0.0);
+    for (const FilmPixel& pixel : filmOf(made, work).pixels) {
+        sum += glm::dvec3(pixel.radiance);
+    }
+    return sum;
+}
+
+// The ratio is that of two plain renders of a white ground. The light is direct, so that it does not matter
+// that the ground is white only to the camera.
+TEST(ShadowCatcher, agreesWithPlainRenders) {
+    const PathWork work{.samples = 512, .maxBounces = 0};
+    PathScene made = litByAll(true);
+    addCatcher(made);
+    const Caught caught = caughtBy(made, work);
+    ASSERT_EQ(caught.samples, kSide * kSide * work.samples);
+    const glm::dvec3 with = whiteGround(litByAll(true), work);
+    const glm::dvec3 without = whiteGround(litByAll(false), work);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(caught.reached[c] / with[c], 1.0, 0.02);
+        EXPECT_NEAR(caught.unblocked[c] / without[c], 1.0, 0.02);
+        EXPECT_LT(with[c], 0.8 * without[c]);
+    }
+}
+
+// Light that objects reflect reaches the ground too: under a white square, of light from below.
+TEST(ShadowCatcher, takesLightFromObjects) {
+    PathScene made = litByAll(true);
+    addCatcher(made);
+    const double direct = caughtBy(made, {.samples = 64, .maxBounces = 0}).left().r;
+    EXPECT_GT(caughtBy(made, {.samples = 64, .maxBounces = 4}).left().r, 1.02 * direct);
+}
+
+// A corner of two walls without objects. What is laid under it has the shadow of one wall on the other.
+TEST(ShadowCatcher, doesNotShadowItself) {
+    PathScene made;
+    made.scene.materials.push_back(lambert(glm::vec3(0.3f)));
+    made.scene.materials.back().name = "paper";
+    addQuad(made.scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    addQuad(made.scene, {-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, 0);
+    addCatcher(made, {CatcherChoice::Kind::material, 0.0f, "paper"});
+    made.surroundings.background = glm::vec3(0.7f);
+    made.view = lookAt({0.5f, 1.0f, 2.0f}, {0, 0.1f, -1}, {0, 1, 0});
+    made.view.verticalFov = 0.3f;
+    const Caught caught = caughtBy(made, {.samples = 16});
+    ASSERT_EQ(caught.samples, kSide * kSide * 16);
+    EXPECT_EQ(caught.reached, caught.unblocked);
+}
+
+// Of objects, the camera sees what a plain render of the same surfaces has: only the camera's own rays know a
+// catcher. What it sees of the catcher is a miss.
+TEST(ShadowCatcher, changesNothingElse) {
+    PathScene made = litByAll(true);
+    made.view = lookAt({1, 2, 3}, {0, 0.5f, 0}, {0, 1, 0});
+    addCatcher(made);
+    const FilmData film = filmOf(made, {.samples = 4});
+    made.options.catcher = kNoMaterial;
+    const FilmData plain = filmOf(made, {.samples = 4});
+    int objects = 0;
+    int misses = 0;
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+        const FilmPixel& pixel = film.pixels[i];
+        if (film.light[i].caught == 0.0f) {
+            ++objects;
+            EXPECT_EQ(pixel.radiance, plain.pixels[i].radiance);
+            EXPECT_EQ(pixel.seen.triangleId, plain.pixels[i].seen.triangleId);
+        } else if (film.light[i].caught == 4.0f) {
+            ++misses;
+            EXPECT_EQ(pixel.radiance, glm::vec3(0.0f));
+            EXPECT_EQ(pixel.seen.triangleId, kNoTriangle);
+            EXPECT_EQ(pixel.covered, 0.0f);
+            EXPECT_EQ(pixel.seen.albedo, glm::vec3(0.0f));
+        }
+    }
+    EXPECT_GT(objects, 5);
+    EXPECT_GT(misses, 5);
+}
+
+TEST(ShadowCatcher, planeLiesUnderTheScene) {
+    PathScene made;
+    addBox(made.scene, {1, -2, 3}, {2, 5, 4}, addMaterial(made.scene, lambert(glm::vec3(0.5f))));
+    Scene scene = made.scene;
+    const std::uint32_t material = placeCatcher(scene, {CatcherChoice::Kind::lowest});
+    EXPECT_EQ(material, scene.materials.size() - 1);
+    ASSERT_EQ(scene.triangles.size(), made.scene.triangles.size() + 2);
+    EXPECT_EQ(scene.triangleMaterial.back(), material);
+    EXPECT_EQ(scene.triangleMesh.back(), scene.meshes.size() - 1);
+    EXPECT_EQ(scene.positions.size(), scene.normals.size());
+    const Bounds bounds = boundsOf(scene);
+    EXPECT_EQ(bounds.lo, glm::vec3(1 - 140, -2, 3 - 140));
+    EXPECT_EQ(bounds.hi, glm::vec3(2 + 140, 5, 4 + 140));
+    for (std::size_t i = scene.triangles.size() - 2; i < scene.triangles.size(); ++i) {
+        const glm::uvec3 corners = scene.triangles[i];
+        const glm::vec3 a = scene.positions[corners.x];
+        EXPECT_EQ(a.y, -2.0f);
+        EXPECT_GT(glm::cross(scene.positions[corners.y] - a, scene.positions[corners.z] - a).y, 0.0f);
+    }
+
+    Scene empty;
+    placeCatcher(empty, {CatcherChoice::Kind::plane, 3.0f});
+    EXPECT_EQ(boundsOf(empty).lo.y, 3.0f);
+    EXPECT_EQ(empty.triangles.size(), 2u);
+}
+
+} // namespace
+} // namespace metamarch::tests
