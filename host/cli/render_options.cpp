@@ -72,6 +72,16 @@ void checkCatcher(const RenderOptions& options) {
     }
 }
 
+void checkMotion(const RenderOptions& options) {
+    const auto refuse = [](const std::string& line) { throw Error(ErrorKind::invalidArgument, line); };
+    if (!options.import.time && std::ranges::find(options.aovs, "motion") != options.aovs.end()) {
+        refuse("--aov motion leads from --time SECONDS to the next frame: give the time");
+    }
+    if (hasMotion(options) && isStandardInput(options.scenePath)) {
+        refuse("--aov motion reads the scene twice, at two times, and standard input gives it once");
+    }
+}
+
 void checkChannels(const RenderOptions& options) {
     const std::vector<Aov> chosen = settingsOf(options).aovs();
     if (isPart(options)) {
@@ -150,6 +160,11 @@ void declareRun(SettingList& settings, RenderOptions& options) {
 
 } // namespace
 
+bool hasMotion(const RenderOptions& options) {
+    const std::vector<Aov> chosen = settingsOf(options).aovs();
+    return options.import.time && std::ranges::find(chosen, "motion", &Aov::name) != chosen.end();
+}
+
 bool isPart(const RenderOptions& options) { return lowerCaseEnding(options.outputPath) == ".part"; }
 
 void declareRender(SettingList& settings, RenderOptions& options) {
@@ -173,6 +188,11 @@ void declareRender(SettingList& settings, RenderOptions& options) {
               "Also print the device, and each stage with its seconds, on standard error")
         .excludes({"quiet"});
     declareChannels(settings, options.aovs, options.missDepth);
+    settings
+        .number("frame-rate", options.frameRate, {1e-3, 1e6, "frames per second, from 0.001 to 1e6"},
+                "Frames per second: the channel motion leads to the next one")
+        .withValueName("FPS")
+        .needs({"time"});
     settings.flag(
         "transparent", options.path.isTransparent,
         "The camera does not see the background or the environment, which light the scene all the same");
@@ -236,6 +256,7 @@ void checkArguments(const RenderOptions& options) {
     }
     checkRun(options);
     checkCatcher(options);
+    checkMotion(options);
     checkView(options.view, options.path.integrator);
     checkStructure(options.structure);
 }

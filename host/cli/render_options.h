@@ -23,6 +23,7 @@ struct RenderOptions : PictureOptions {
     Backend backend = Backend::gpu;
     std::vector<std::string> aovs; // empty: what the integrator writes where nobody chooses
     float missDepth = std::numeric_limits<float>::infinity();
+    double frameRate = 24.0; // frames per second, for the channel `motion`
     PictureStorage storage;
     bool isDenoised = false;
     CatcherChoice catcher;
@@ -42,6 +43,9 @@ struct RenderOptions : PictureOptions {
 
 // Returns true if the output is a .part: sums of samples, which `merge` puts together, in place of a picture.
 bool isPart(const RenderOptions& options);
+
+// Returns true if a channel of the picture needs the scene a frame later.
+bool hasMotion(const RenderOptions& options);
 
 void declareRender(SettingList& settings, RenderOptions& options);
 

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 // A file is this preamble, the description as JSON, and the runs in their order: the films of their spans,
 // each as FilmPixel[], LightParts[] and first hits, and then SeenPoint[], in little-endian order. First hits
 // are the number of HitCounts of each pixel, and then the HitCounts. Another layout gets another number.
-constexpr std::array<char, 24> kMagic = {"metamarch sums 3\n"};
+constexpr std::array<char, 24> kMagic = {"metamarch sums 4\n"};
 struct Preamble {
     std::array<char, 24> magic;
     std::uint64_t descriptionBytes;
@@ -30,7 +30,7 @@ struct Preamble {
     std::uint64_t hash; // of the description and of each array
 };
 static_assert(sizeof(Preamble) == 48 && std::endian::native == std::endian::little);
-static_assert(sizeof(SeenPoint) == 32);
+static_assert(sizeof(SeenPoint) == 40);
 
 constexpr std::uint64_t kMostDescription = std::uint64_t{64} << 20u;
 

@@ -6,7 +6,6 @@
 #include "metamarch/reference/primary.h"
 #include "metamarch/render/path_sampler.h"
 #include "metamarch/render/primary_renderer.h"
-#include "metamarch/render/seen_points.h"
 #include "metamarch/render/surface_groups.h"
 #include "metamarch/render/traversal_choice.h"
 
@@ -177,8 +176,8 @@ class Render {
         if (settings_.firstSample == 0 && std::ranges::any_of(settings_.aovs(), &Aov::isOfSeenPoint)) {
             const std::optional<PathSettings> path =
                 settings_.isPrimary() ? std::nullopt : std::optional(pathSettings());
-            result.seen =
-                seenPoints(scene_, camera_, result.area, path ? &*path : nullptr, result.film.pixels);
+            result.seen = seenPoints(scene_, camera_, result.area, path ? &*path : nullptr,
+                                     result.film.pixels, settings_.next ? &*settings_.next : nullptr);
         }
     }
 

@@ -10,6 +10,7 @@
 #include "metamarch/image/cryptomatte.h"
 #include "metamarch/render/device_scene.h"
 #include "metamarch/render/path_run.h"
+#include "metamarch/render/seen_points.h"
 #include "metamarch/shared/camera.h"
 #include "metamarch/shared/film_data.h"
 
@@ -34,6 +35,8 @@ struct RenderSettings {
     std::vector<Aov> channels{};
     // The value of the channels Z and t where a ray hits nothing.
     float missDepth = std::numeric_limits<float>::infinity();
+    // For the channel `motion`; without it nothing moves.
+    std::optional<NextFrame> next{};
     // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
     std::string traversal{};
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/seen_points.h"
 
+#include "metamarch/error/error.h"
 #include "metamarch/reference/pieces.h"
+#include "metamarch/shading/view.h"
 #include "metamarch/shared/hit_point.h"
 #include "metamarch/shared/path.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace metamarch::render {
 namespace {
@@ -16,7 +21,31 @@ CameraRay firstRay(const Camera& camera, const PathSettings* const path, const u
     return {first.origin, first.dir};
 }
 
-SeenPoint seenPoint(const PreparedScene& prepared, const CameraRay& view, const uint triangleId) {
+glm::dvec3 pointAt(const Scene& scene, const glm::uvec3& corners, const glm::dvec3& weights) {
+    return glm::dvec3(scene.positions[corners.x]) * weights.x +
+           glm::dvec3(scene.positions[corners.y]) * weights.y +
+           glm::dvec3(scene.positions[corners.z]) * weights.z;
+}
+
+// Returns how far a point of a triangle shifts in the picture. Where one of its places is not in front of the
+// camera, it has no shift.
+glm::vec2 shiftOf(const Scene& scene, const Camera& camera, const NextFrame& next, const glm::uvec3& corners,
+                  const glm::dvec3& weights) {
+    const auto from = placeOf(camera, pointAt(scene, corners, weights));
+    const auto to = placeOf(next.camera, pointAt(*next.scene, corners, weights));
+    if (!from || !to) {
+        return glm::vec2(0.0f);
+    }
+    glm::dvec2 shift = *to - *from;
+    if (camera.projection == kProjectionPanorama) { // whose left edge is its right edge
+        const double width = camera.width;
+        shift.x -= width * std::round(shift.x / width);
+    }
+    return {shift.x, -shift.y};
+}
+
+SeenPoint seenPoint(const PreparedScene& prepared, const Camera& camera, const NextFrame* const next,
+                    const CameraRay& view, const uint triangleId) {
     const Scene& scene = *prepared.scene;
     const glm::uvec3 corners = scene.triangles[triangleId];
     const TriangleRecord triangle{scene.positions[corners.x], triangleId, scene.positions[corners.y], 0,
@@ -30,13 +59,27 @@ SeenPoint seenPoint(const PreparedScene& prepared, const CameraRay& view, const 
     seen.instance = scene.triangleMesh[triangleId];
     seen.mesh = scene.meshes[seen.instance].mesh;
     seen.material = scene.triangleMaterial[triangleId];
+    if (next != nullptr) {
+        seen.motion = shiftOf(scene, camera, *next, corners, weights);
+    }
     return seen;
 }
 
 } // namespace
 
+void checkNextFrame(const Scene& scene, const Scene& later) {
+    const bool isSame = scene.triangles.size() == later.triangles.size() &&
+                        scene.positions.size() == later.positions.size() &&
+                        std::ranges::equal(scene.triangles, later.triangles);
+    if (!isSame) {
+        throw Error(ErrorKind::inputRefused,
+                    "the scene has other triangles a frame later, so that points have no motion", {"aov"});
+    }
+}
+
 std::vector<SeenPoint> seenPoints(const PreparedScene& scene, const Camera& camera, const PixelRect& area,
-                                  const PathSettings* const path, const std::span<const FilmPixel> pixels) {
+                                  const PathSettings* const path, const std::span<const FilmPixel> pixels,
+                                  const NextFrame* const next) {
     static_assert(kNoMaterial == kNoId);
     std::vector<SeenPoint> seen(pixels.size());
     const auto seeRow = [&](const uint y) {
@@ -44,8 +87,8 @@ std::vector<SeenPoint> seenPoints(const PreparedScene& scene, const Camera& came
             const std::size_t pixel = std::size_t{y} * area.width() + x;
             const uint triangleId = pixels[pixel].seen.triangleId;
             if (triangleId != kNoTriangle) {
-                seen[pixel] =
-                    seenPoint(scene, firstRay(camera, path, area.left + x, area.top + y), triangleId);
+                seen[pixel] = seenPoint(scene, camera, next,
+                                        firstRay(camera, path, area.left + x, area.top + y), triangleId);
             }
         }
     };

@@ -31,6 +31,7 @@ struct SeenPoint {
     std::uint32_t mesh = kNoId;
     std::uint32_t instance = kNoId;
     std::uint32_t material = kNoId;
+    glm::vec2 motion{0.0f}; // its shift until the next frame, in pixels to the right and up
 };
 
 // All that is known of a pixel.

@@ -142,4 +142,29 @@ Camera makeCamera(const SceneCamera& camera, const std::uint32_t width, const st
     return result;
 }
 
+std::optional<glm::dvec2> placeOf(const Camera& camera, const glm::dvec3& point) {
+    const glm::dvec3 offset = point - glm::dvec3(camera.eye);
+    const glm::dvec2 size(camera.width, camera.height);
+    const auto along = [&](const glm::vec3& axis) {
+        return glm::dot(offset, glm::dvec3(axis)) / glm::dot(glm::dvec3(axis), glm::dvec3(axis));
+    };
+    if (camera.projection == kProjectionPanorama) {
+        const double length = glm::length(offset);
+        if (!(length > 0.0)) {
+            return std::nullopt;
+        }
+        const double around = std::atan2(along(camera.dirRight), along(camera.forward));
+        const double below = std::acos(glm::clamp(-along(camera.dirDown) / length, -1.0, 1.0));
+        return glm::dvec2(0.5 + 0.5 * around / std::numbers::pi, below / std::numbers::pi) * size;
+    }
+    const bool isParallel = camera.dirRight == glm::vec3(0.0f);
+    const double depth = isParallel ? 1.0 : along(camera.forward);
+    if (!(depth > 0.0)) {
+        return std::nullopt;
+    }
+    const glm::dvec2 fromMiddle(along(isParallel ? camera.eyeRight : camera.dirRight),
+                                along(isParallel ? camera.eyeDown : camera.dirDown));
+    return (fromMiddle / depth + 1.0) * 0.5 * size;
+}
+
 } // namespace metamarch

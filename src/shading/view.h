@@ -63,4 +63,9 @@ SceneCamera chooseCamera(const Scene& scene, const ViewChoice& choice, float asp
 Camera makeCamera(const SceneCamera& camera, std::uint32_t width, std::uint32_t height,
                   const CameraOptions& options = {});
 
+// Returns where a picture shows a point of the world, in pixels from its upper left corner, as a pinhole in
+// the middle of the lens sees it. Returns nothing for a point that is not in front of the camera, or at the
+// eye of a panorama.
+std::optional<glm::dvec2> placeOf(const Camera& camera, const glm::dvec3& point);
+
 } // namespace metamarch

@@ -73,6 +73,27 @@ def write_quads(file, quads):
         "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]}))
 
 
+def write_moving(file):
+    """Writes a square whose node goes by (3, 0.6, 0) in a second, and a camera that goes by (1.2, 0, 0): one unit of the square
+    is 6 pixels of 30 in its picture."""
+    points = struct.pack("<12f", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    keys = struct.pack("<2f", 0, 1) + struct.pack("<6f", 0, 0, 0, 3, 0.6, 0) + struct.pack("<6f", 0, 0, 5, 1.2, 0, 5)
+    accessors = [(0, 0, 4, "VEC3", 5126), (0, 48, 6, "SCALAR", 5123), (1, 0, 2, "SCALAR", 5126), (1, 8, 2, "VEC3", 5126),
+                 (1, 32, 2, "VEC3", 5126)]
+    animate = lambda node, output: {"name": f"of node {node}", "samplers": [{"input": 2, "output": output}],
+                                    "channels": [{"sampler": 0, "target": {"node": node, "path": "translation"}}]}
+    file.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0}, {"camera": 0}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.5), "znear": 0.1}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}], "animations": [animate(0, 3), animate(1, 4)],
+        "accessors": [{"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component,
+                       "min": [0], "max": [1]} if kind == "SCALAR" and component == 5126 else
+                      {"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component}
+                      for view, offset, count, kind, component in accessors],
+        "bufferViews": [{"buffer": 0, "byteLength": len(points)}, {"buffer": 1, "byteLength": len(keys)}],
+        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()} for data in (points, keys)]}))
+
+
 BOX = [((-0.5, 1, -0.5), (0, 0, 1), (1, 0, 0), 0.6), ((-0.5, 0, 0.5), (1, 0, 0), (0, 1, 0), 0.6), ((0.5, 0, -0.5), (-1, 0, 0), (0, 1, 0), 0.6),
        ((0.5, 0, 0.5), (0, 0, -1), (0, 1, 0), 0.6), ((-0.5, 0, -0.5), (0, 0, 1), (0, 1, 0), 0.6)]
 CHECKERS = [((x, 0, z), (0, 0, 1), (1, 0, 0), 0.8 if (x + z) % 2 else 0.2) for x in range(-6, 6) for z in range(-6, 6)]
@@ -296,6 +317,24 @@ class ChannelsTest(ProgramTest):
         line = self.refuse(2, "render", "both.gltf", "-o", "b.exr", "--shadow-catcher", "floor")
         self.assertEqual(line, "there is no material floor; the scene has 0 'grey 0.3', 1 'grey 0.6'; a plane is y=HEIGHT or auto (--shadow-catcher)")
 
+    def test_motion(self):
+        write_moving(self.tmp / "a.gltf")
+        parallel = ("--eye", "0.2,0,4", "--target", "0.2,0,0", "--orthographic", "3")  # 10 pixels a unit
+        for words, expected in ((parallel, (3 / 24 * 10, 0.6 / 24 * 10)), ((*parallel, "--frame-rate", "12"), (2.5, 0.5)),
+                                (("--animation", "of node 1"), (-1.2 / 24 * 6, 0)), ((), (1.8 / 24 * 6, 0.6 / 24 * 6)),
+                                ((*parallel, "--time", "1"), (0, 0))):  # the last key
+            time = () if "--time" in words else ("--time", "0.1")
+            picture = self.render("--integrator", "primary", "--aov", "motion,id.triangle", *words, *time, scene="a.gltf")
+            hits = self.hits(picture)
+            self.assertTrue(0 < len(hits) < WIDTH * HEIGHT)
+            for y in range(HEIGHT):
+                for x in range(WIDTH):
+                    right, up = expected if (x, y) in hits else (0, 0)
+                    self.assertAlmostEqual(picture["motion.X"][y][x], right, places=5)
+                    self.assertAlmostEqual(picture["motion.Y"][y][x], up, places=5)
+        still = self.render("--integrator", "primary", "--aov", "all", scene="a.gltf")
+        self.assertEqual({value for row in still["motion.X"] for value in row}, {0})
+
     def test_pictures_for_people(self):
         self.render("--spp", "1", name="a.png")
         shown = self.read_picture("a.png")
@@ -345,6 +384,9 @@ class ChannelsTest(ProgramTest):
                                 ("-o a.exr --shadow-catcher y=inf", "give y=HEIGHT with a finite number"),
                                 ("-o a.exr --shadow-catcher auto --integrator primary", "has no shadows"),
                                 ("-o a.exr --shadow-catcher auto --noise-threshold 0.1", "give --spp alone"),
+                                ("-o a.exr --aov motion", "give the time"),
+                                ("-o a.exr --aov motion --frame-rate 24", "--time"),
+                                ("-o a.exr --aov motion --time 0 --frame-rate 0", "frames per second, from 0.001 to 1e6"),
                                 ("-o a.exr --aov shadow", "name it by --shadow-catcher")):
             with self.subTest(words=words):
                 self.assertIn(expected, self.refuse(2, "render", CORNELL, *words.split()))

@@ -177,8 +177,11 @@ TEST(Aov, isInfiniteOrNoIdForAMiss) {
 
 TEST(Aov, isWhatTheFirstSampleSees) {
     const FilmPixel pixel = addSample(emptyPixel(), glm::vec3(1.0f), hitAt(8.0f));
-    const Image image = imageOf(pixel, noLight(), {{{1.0f, 2.0f, 3.0f}, {0.25f, 0.75f}, 4, 5, 16777217}});
+    const Image image =
+        imageOf(pixel, noLight(), {{{1.0f, 2.0f, 3.0f}, {0.25f, 0.75f}, 4, 5, 16777217, {6.0f, -7.0f}}});
     EXPECT_EQ(valueOf(image, "P.Y"), 2.0f);
+    EXPECT_EQ(valueOf(image, "motion.X"), 6.0f);
+    EXPECT_EQ(valueOf(image, "motion.Y"), -7.0f);
     EXPECT_EQ(valueOf(image, "UV.U"), 0.25f);
     EXPECT_EQ(valueOf(image, "UV.V"), 0.75f);
     EXPECT_EQ(idOf(image, "id.mesh"), 4u);

@@ -175,6 +175,28 @@ TEST(Pinhole, sendsThePrimaryRayThroughThePixelsCentre) {
 
 constexpr CameraOptions kPanorama = {.isPanorama = true};
 
+// A point on the ray through a place of the picture is seen there.
+TEST(PlaceOf, invertsTheRay) {
+    for (const auto projection :
+         {SceneCamera::Projection::perspective, SceneCamera::Projection::orthographic}) {
+        for (const CameraOptions& options : {CameraOptions{}, kPanorama}) {
+            const Camera camera = makeCamera(slanted(projection), kWidth, kHeight, options);
+            for (const vec2 place : {vec2(0.3f, 0.6f), vec2(31.0f, 20.0f), vec2(63.0f, 47.5f)}) {
+                const CameraRay ray = cameraRayThrough(camera, place, vec2(0.0f));
+                const auto found = placeOf(camera, glm::dvec3(ray.origin) + 7.0 * glm::dvec3(ray.dir));
+                ASSERT_TRUE(found);
+                EXPECT_NEAR(found->x, place.x, 1e-4);
+                EXPECT_NEAR(found->y, place.y, 1e-4);
+            }
+        }
+    }
+    const Camera pinhole = makeCamera(slanted(SceneCamera::Projection::perspective), kWidth, kHeight);
+    EXPECT_FALSE(placeOf(pinhole, glm::dvec3(pinhole.eye) - glm::dvec3(pinhole.forward)));
+    const Camera around =
+        makeCamera(slanted(SceneCamera::Projection::perspective), kWidth, kHeight, kPanorama);
+    EXPECT_FALSE(placeOf(around, glm::dvec3(around.eye)));
+}
+
 TEST(Panorama, ofAnEnvironmentIsTheEnvironment) {
     const Camera camera = makeCamera(lookAt({5, 6, 7}, {6, 6, 7}, {0, 1, 0}), kWidth, kHeight, kPanorama);
     for (uint y = 0; y < kHeight; ++y) {
