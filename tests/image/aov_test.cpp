@@ -77,8 +77,7 @@ std::vector<std::string> namesOf(const std::vector<Aov>& rows) {
 
 TEST(Aov, isWrittenByItsIntegrators) {
     const std::vector<std::string> all = {"all"};
-    const auto denoised =
-        static_cast<std::size_t>(std::ranges::count(aovs(), AovUse::denoised, &Aov::use));
+    const auto denoised = static_cast<std::size_t>(std::ranges::count(aovs(), AovUse::denoised, &Aov::use));
     EXPECT_EQ(chooseAovs(all, AovWriter::pathTracer).size() + denoised, aovs().size());
     for (const std::vector<Aov>& ofPrimary :
          {chooseAovs(all, AovWriter::everyIntegrator), usualAovs(AovWriter::everyIntegrator)}) {
