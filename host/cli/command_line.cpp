@@ -68,17 +68,7 @@ std::string optionOf(const std::string& setting) {
     return option;
 }
 
-// Sets the value. A refusal names the option, unless it already names the file that the setting reads.
-void assign(Setting& setting, const std::string& text) {
-    try {
-        setting.set(text);
-    } catch (const Error& error) {
-        if (!text.empty() && std::string_view(error.what()).starts_with(text + ": ")) {
-            throw;
-        }
-        throw Error(error.kind, fmt::format("--{} {}: {}", setting.name(), text, error.what()));
-    }
-}
+std::string spelled(const std::string& setting) { return "--" + setting; }
 
 std::string optionNames(const Setting& setting) {
     if (setting.isPositional()) {
@@ -105,14 +95,14 @@ void addSetting(CLI::App& app, Setting& setting) {
     CLI::Option* option = nullptr;
     if (setting.kind() == Setting::Kind::flag) {
         option = app.add_flag_callback(
-            optionNames(setting), [&setting] { assign(setting, "on"); }, setting.help());
+            optionNames(setting), [&setting] { give(setting, "on", spelled); }, setting.help());
     } else {
         const bool isOne = setting.kind() != Setting::Kind::positionals;
         option = app.add_option(
             optionNames(setting),
             [&setting](const CLI::results_t& words) {
                 for (const std::string& word : words) {
-                    assign(setting, word);
+                    give(setting, word, spelled);
                 }
                 return true;
             },
@@ -130,28 +120,6 @@ void addSetting(CLI::App& app, Setting& setting) {
     }
 }
 
-// Throws Error(invalidArgument) if settings that were given exclude each other, or if one lacks what it
-// needs.
-void checkTogether(const SettingList& list) {
-    for (const Setting& setting : list.all()) {
-        if (!setting.isGiven()) {
-            continue;
-        }
-        for (const std::string& other : setting.excluded()) {
-            if (list.at(other).isGiven()) {
-                throw Error(ErrorKind::invalidArgument,
-                            fmt::format("--{} and --{} exclude each other", setting.name(), other));
-            }
-        }
-        for (const std::string& other : setting.needed()) {
-            if (!list.at(other).isGiven()) {
-                throw Error(ErrorKind::invalidArgument,
-                            fmt::format("--{} needs --{}", setting.name(), other));
-            }
-        }
-    }
-}
-
 void addCommand(CLI::App& parent, Command& command) {
     CLI::App* const app = parent.add_subcommand(command.name, command.summary);
     for (Setting& setting : command.settings.all()) {
@@ -162,7 +130,7 @@ void addCommand(CLI::App& parent, Command& command) {
         addCommand(*app, nested);
     }
     app->callback([&command, app] {
-        checkTogether(command.settings);
+        command.settings.checkTogether(spelled);
         if (app->get_subcommands().empty()) {
             command.run(command.settings);
         }

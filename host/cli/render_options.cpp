@@ -36,7 +36,8 @@ void checkRun(const RenderOptions& options) {
     const bool keepsSums = isPart(options) || !options.checkpointPath.empty() ||
                            !options.resumePath.empty() || options.timeLimit;
     if (options.path.integrator == Integrator::primary && keepsSums) {
-        refuse("`--integrator primary` takes one sample: it has no parts, checkpoint or time limit");
+        throw Error(ErrorKind::invalidArgument,
+                    "`primary` takes one sample: it has no parts, checkpoint or time limit", {"integrator"});
     }
     if (options.adaptive.isOn() && isPart(options)) {
         refuse("--noise-threshold looks at all samples of a picture: it renders no .part");
@@ -51,8 +52,10 @@ void checkRun(const RenderOptions& options) {
         refuse("--time-limit and --samples exclude each other: a part has all its samples");
     }
     if (options.crop && (options.crop->right > options.size.x || options.crop->bottom > options.size.y)) {
-        refuse(fmt::format("--crop reaches beyond the picture of {} x {} pixels", options.size.x,
-                           options.size.y));
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("the crop reaches beyond the picture of {} x {} pixels", options.size.x,
+                                options.size.y),
+                    {"crop"});
     }
     if (options.writeEvery && isStandardOutput(options.outputPath)) {
         refuse("--write-every would write several pictures to standard output");
@@ -249,10 +252,9 @@ render::RenderSettings settingsOf(const RenderOptions& options) {
 
 void checkArguments(const RenderOptions& options) {
     if (options.backend == Backend::cpu && !(options.device.empty() && options.traversal.empty())) {
-        throw Error(
-            ErrorKind::invalidArgument,
-            "--backend cpu walks the kd-tree with a stack on the processor; --device and --traversal are "
-            "for the gpu");
+        throw Error(ErrorKind::invalidArgument,
+                    "the cpu walks the kd-tree with a stack; a device and a traversal are for the gpu",
+                    {"backend", "device", "traversal"});
     }
     checkRun(options);
     checkCatcher(options);

@@ -121,6 +121,17 @@ Setting& Setting::slides(const Slider& range) {
     return *this;
 }
 
+void give(Setting& setting, const std::string& text, const Spelling& spelling) {
+    try {
+        setting.set(text);
+    } catch (const Error& error) {
+        if (!text.empty() && std::string_view(error.what()).starts_with(text + ": ")) {
+            throw;
+        }
+        throw Error(error.kind, fmt::format("{} {}: {}", spelling(setting.name()), text, error.what()));
+    }
+}
+
 Setting& SettingList::add(const std::string& name, const Setting::Kind kind, Setting::Access access,
                           const std::string& help) {
     return settings.emplace_back(name, kind, std::move(access), help).inGroup(group);
@@ -267,6 +278,27 @@ Setting& SettingList::positionals(const std::string& name, std::vector<std::stri
 
 Setting& SettingList::at(const std::string_view name) { return settingNamed(settings, name); }
 const Setting& SettingList::at(const std::string_view name) const { return settingNamed(settings, name); }
+
+void SettingList::checkTogether(const Spelling& spelling) const {
+    for (const Setting& setting : settings) {
+        if (!setting.isGiven()) {
+            continue;
+        }
+        for (const std::string& other : setting.excluded()) {
+            if (at(other).isGiven()) {
+                throw Error(
+                    ErrorKind::invalidArgument,
+                    fmt::format("{} and {} exclude each other", spelling(setting.name()), spelling(other)));
+            }
+        }
+        for (const std::string& other : setting.needed()) {
+            if (!at(other).isGiven()) {
+                throw Error(ErrorKind::invalidArgument,
+                            fmt::format("{} needs {}", spelling(setting.name()), spelling(other)));
+            }
+        }
+    }
+}
 
 std::string SettingList::changedText(const std::span<const std::string_view> without) const {
     std::string text;

@@ -92,6 +92,13 @@ class Setting {
     bool isGiven_ = false;
 };
 
+// How a front end writes the name of a setting: "--max-bounces".
+using Spelling = std::function<std::string(const std::string& name)>;
+
+// Sets the value. A refusal names the setting and the text, unless it already begins with the text: the name
+// of a file that the setting reads.
+void give(Setting& setting, const std::string& text, const Spelling& spelling);
+
 // Settings in the order of their declaration. They refer to the variables that they set, which must outlive
 // the list and must not move.
 class SettingList {
@@ -167,6 +174,10 @@ class SettingList {
     const std::list<Setting>& all() const { return settings; }
     Setting& at(std::string_view name); // throws std::out_of_range
     const Setting& at(std::string_view name) const;
+
+    // Throws Error(invalidArgument) if settings that were given exclude each other, or if one lacks what it
+    // needs.
+    void checkTogether(const Spelling& spelling) const;
 
     // Returns the settings that differ from their defaults as the command line takes them: "--max-bounces 2
     // --sky". Leaves out positionals and the names in `without`.
