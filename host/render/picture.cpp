@@ -60,13 +60,6 @@ void addHeader(const RenderResult& result, const PictureOrigin& origin, Image& i
     }
 }
 
-// writeImage makes an opaque picture if there is no channel A.
-void renameAlpha(Image& image) {
-    if (const auto alpha = image.findChannel("A")) {
-        image.channels[*alpha] = "coverage";
-    }
-}
-
 void removeNoise(const RenderResult& result, const Denoiser& denoiser, Image& image) {
     const Aov guideRows[] = {aovNamed("albedo"), aovNamed("Ns")};
     const Image guideImage = filmImage(result.film, {}, image.width, image.height, guideRows);
@@ -105,6 +98,15 @@ Image imageOf(const RenderResult& result, const Denoiser* const denoiser) {
     return image;
 }
 
+Image shownImageOf(const RenderResult& result, const Denoiser* const denoiser) {
+    Image image = imageOf(result, denoiser);
+    const auto alpha = image.findChannel("A");
+    if (alpha && !result.settings.isPrimary() && !result.settings.path.isTransparent) {
+        image.channels[*alpha] = "coverage"; // without a channel A a picture is opaque
+    }
+    return image;
+}
+
 glm::mat4 worldToCamera(const SceneCamera& camera) {
     const glm::dvec3 forward = camera.forward;
     const glm::dvec3 up = camera.up;
@@ -138,14 +140,11 @@ glm::mat4 worldToNdc(const SceneCamera& camera, const float aspect) {
 }
 
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const PictureTarget& target) {
-    Image image = imageOf(result, target.denoiser);
+    const bool isShown = pictureFormatOf(target.path, target.storage) != PictureFormat::exr;
+    Image image = isShown ? shownImageOf(result, target.denoiser) : imageOf(result, target.denoiser);
     addHeader(result, origin, image);
     if (target.denoiser != nullptr) {
         image.attributes.emplace_back("metamarch/denoiser", target.denoiser->version());
-    }
-    if (!result.settings.isPrimary() && !result.settings.path.isTransparent &&
-        pictureFormatOf(target.path, target.storage) != PictureFormat::exr) {
-        renameAlpha(image);
     }
     writeImage(image, target.path, target.toneMapping, target.storage);
 }

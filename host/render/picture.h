@@ -18,6 +18,10 @@ namespace metamarch::render {
 // and indirect; what they were is in the channels noisyAovs() then. Throws what Denoiser throws.
 Image imageOf(const RenderResult& result, const Denoiser* denoiser = nullptr);
 
+// The same for a format for people. The path tracer's pictures are opaque there, because it draws the
+// background too, unless PathChoice::isTransparent.
+Image shownImageOf(const RenderResult& result, const Denoiser* denoiser = nullptr);
+
 // Facts for the header of the file that RenderResult does not have.
 struct PictureOrigin {
     std::string software;  // name and version
@@ -44,8 +48,8 @@ struct PictureTarget {
 };
 
 // Writes imageOf(result) with a header that says how the picture was made. Unless it is stamped, nothing in
-// the file depends on the clock. The path tracer's pictures but EXR are opaque, because the path tracer draws
-// the background too, unless PathChoice::isTransparent. Throws what writeImage and imageOf throw.
+// the file depends on the clock. Pictures but EXR are shownImageOf(result). Throws what writeImage and
+// imageOf throw.
 void writePicture(const RenderResult& result, const PictureOrigin& origin, const PictureTarget& target);
 
 } // namespace metamarch::render

@@ -76,7 +76,7 @@ std::string shortened(const std::string& text) {
 
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)), files_{path_} {
     if (isStandardInput(path_)) {
-        readStandardInput();
+        memory_ = readStandardInput();
         return;
     }
     std::error_code failure;
@@ -100,32 +100,41 @@ InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)), files
     }
 }
 
-void InputFile::readStandardInput() {
+InputFile::InputFile(const std::string& name, std::vector<unsigned char> bytes)
+    : path_(name), files_{path_}, memory_(std::move(bytes)) {
+    if (memory_->empty()) {
+        refuse("nothing to read");
+    }
+}
+
+std::vector<unsigned char> InputFile::readStandardInput() const {
     constexpr std::size_t kMost = std::size_t{1} << 32; // what a GLB can say of its own length
     constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+    std::vector<unsigned char> bytes;
     while (true) {
-        const std::size_t before = input_.size();
-        input_.resize(before + kAtOnce);
-        const ssize_t count = ::read(STDIN_FILENO, &input_[before], kAtOnce);
-        input_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        const std::size_t before = bytes.size();
+        bytes.resize(before + kAtOnce);
+        const ssize_t count = ::read(STDIN_FILENO, &bytes[before], kAtOnce);
+        bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
         if (count < 0 && errno != EINTR) {
             refuse(std::string("cannot be read: ") + std::strerror(errno));
         }
-        if (input_.size() > kMost) {
+        if (bytes.size() > kMost) {
             refuseSize("more than 4 GiB");
         }
         if (count == 0) {
             break;
         }
     }
-    if (input_.empty()) {
+    if (bytes.empty()) {
         refuse("nothing to read");
     }
+    return bytes;
 }
 
 std::vector<unsigned char> InputFile::read() const {
-    if (isStandardInput(path_)) {
-        return input_;
+    if (memory_) {
+        return *memory_;
     }
     std::optional<std::vector<unsigned char>> bytes = readBytes(path_);
     if (!bytes) {
@@ -135,7 +144,7 @@ std::vector<unsigned char> InputFile::read() const {
 }
 
 bool InputFile::isBeside(const std::filesystem::path& other) const {
-    if (isStandardInput(path_)) {
+    if (isInMemory()) {
         return false;
     }
     std::error_code failure;
@@ -151,7 +160,7 @@ bool InputFile::isBeside(const std::filesystem::path& other) const {
 }
 
 std::string InputFile::whyNotReadable(const std::string& name) const {
-    if (name.find("://") != std::string::npos || isStandardInput(path_)) {
+    if (name.find("://") != std::string::npos || isInMemory()) {
         return "is not a file beside the scene";
     }
     std::error_code failure;

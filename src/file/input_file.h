@@ -16,8 +16,13 @@ class InputFile {
     // input, which is read here, to its end. Such a file has no companions.
     explicit InputFile(std::filesystem::path path);
 
+    // Bytes that are in memory already; messages call them `name`. They have no companions either. Throws
+    // Error(inputRefused) if there are none.
+    InputFile(const std::string& name, std::vector<unsigned char> bytes);
+
     const std::filesystem::path& path() const { return path_; }
     std::vector<unsigned char> read() const;
+    bool isInMemory() const { return memory_.has_value(); } // also standard input
 
     // Whether `other`, after following symbolic links, lies in this file's folder or below it. `other` need
     // not exist.
@@ -47,13 +52,13 @@ class InputFile {
     std::vector<std::string> takeWarnings() { return std::move(warnings_); }
 
   private:
-    void readStandardInput();
+    std::vector<unsigned char> readStandardInput() const;
     std::string line(const std::string& what) const;
 
     std::filesystem::path path_;
-    std::filesystem::path folder_; // canonical; empty for standard input
+    std::filesystem::path folder_; // canonical; empty for bytes in memory
     std::vector<std::filesystem::path> files_;
-    std::vector<unsigned char> input_; // of standard input
+    std::optional<std::vector<unsigned char>> memory_;
     std::vector<std::string> warnings_;
     std::unordered_set<std::string> warned_;
 };

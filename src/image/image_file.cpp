@@ -57,17 +57,17 @@ void append(std::vector<std::byte>& bytes, const float value, const std::uint32_
     std::memcpy(&bytes[bytes.size() - 2], &word, 2);
 }
 
-void writeShown(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping,
-                const ShownFormat& format, const std::uint32_t bits) {
+// Returns the tone-mapped colours of all pixels, each followed by its coverage if `hasAlpha` and if the
+// picture has a channel A. Throws Error(invalidArgument), beginning with `name`.
+std::vector<std::byte> shownBytes(const Image& image, const ToneMapping& toneMapping, const bool hasAlpha,
+                                  const std::uint32_t bits, const std::string& name) {
     const auto red = image.findChannel("R");
     const auto green = image.findChannel("G");
     const auto blue = image.findChannel("B");
-    const auto alpha = format.hasAlpha ? image.findChannel("A") : std::nullopt;
+    const auto alpha = hasAlpha ? image.findChannel("A") : std::nullopt;
     if (!red || !green || !blue) {
-        throw Error(ErrorKind::invalidArgument,
-                    path.string() + ": a PNG needs the channels R, G and B; write an .exr");
+        throw Error(ErrorKind::invalidArgument, name + " needs the channels R, G and B; write an .exr");
     }
-
     std::vector<std::byte> bytes;
     bytes.reserve(image.pixelCount() * 4 * (bits / 8));
     for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
@@ -83,8 +83,15 @@ void writeShown(const Image& image, const std::filesystem::path& path, const Ton
             append(bytes, coverage, bits);
         }
     }
+    return bytes;
+}
 
-    OIIO::ImageSpec spec(image.width, image.height, alpha ? 4 : 3,
+void writeShown(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping,
+                const ShownFormat& format, const std::uint32_t bits) {
+    std::vector<std::byte> bytes =
+        shownBytes(image, toneMapping, format.hasAlpha, bits, path.string() + ": a PNG");
+    const bool hasAlpha = format.hasAlpha && image.findChannel("A");
+    OIIO::ImageSpec spec(image.width, image.height, hasAlpha ? 4 : 3,
                          bits == 8 ? OIIO::TypeUInt8 : OIIO::TypeUInt16);
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -146,6 +153,16 @@ void writeImage(const Image& image, const std::filesystem::path& path, const Ton
     } else {
         writeShown(image, path, toneMapping, shownFormat(format), storage.bits);
     }
+}
+
+std::vector<std::uint8_t> rgba8Of(const Image& image, const ToneMapping& toneMapping) {
+    const std::vector<std::byte> bytes = shownBytes(image, toneMapping, true, 8, "a picture for a screen");
+    const std::size_t colors = image.findChannel("A") ? 4 : 3;
+    std::vector<std::uint8_t> rgba(image.pixelCount() * 4, 255);
+    for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel) {
+        std::memcpy(&rgba[pixel * 4], &bytes[pixel * colors], colors);
+    }
+    return rgba;
 }
 
 void setImageThreads(const int threads) {

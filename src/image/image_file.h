@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace metamarch {
 
@@ -48,6 +49,10 @@ inline constexpr const char* kDateTime = "DateTime";
 // full.
 void writeImage(const Image& image, const std::filesystem::path& path, const ToneMapping& toneMapping = {},
                 const PictureStorage& storage = {});
+
+// Returns four bytes a pixel: R, G, B, tone-mapped to sRGB, and A, or 255 where the picture has no A. A PNG
+// has these bytes. Throws Error(invalidArgument) for a picture without R, G and B.
+std::vector<std::uint8_t> rgba8Of(const Image& image, const ToneMapping& toneMapping = {});
 
 // Throws what writeImage would throw for reasons that are known beforehand. Call it before an expensive
 // render.

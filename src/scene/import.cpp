@@ -15,7 +15,7 @@ namespace {
 
 Scene import(InputFile& file, const ImportOptions& options) {
     const std::string ending = lowerCaseEnding(file.path());
-    if (ending == ".gltf" || ending == ".glb" || isStandardInput(file.path())) {
+    if (ending == ".gltf" || ending == ".glb" || file.isInMemory()) {
         return importGltf(file, options);
     }
     if (ending == ".obj" || ending == ".ply" || ending == ".off" || ending == ".stl") {
@@ -24,10 +24,7 @@ Scene import(InputFile& file, const ImportOptions& options) {
     file.refuse("the ending '" + ending + "' is none of .gltf .glb .obj .ply .off .stl");
 }
 
-} // namespace
-
-Scene loadScene(const std::filesystem::path& path, const ImportOptions& options) {
-    InputFile file(path);
+Scene load(InputFile& file, const ImportOptions& options) {
     if (!std::isfinite(options.scale) || options.scale == 0.0f) {
         file.refuse("scale " + std::to_string(options.scale) + " is zero or not finite");
     }
@@ -51,6 +48,18 @@ Scene loadScene(const std::filesystem::path& path, const ImportOptions& options)
         // The libraries throw various exceptions for broken files.
         file.refuse(failure.what());
     }
+}
+
+} // namespace
+
+Scene loadScene(const std::filesystem::path& path, const ImportOptions& options) {
+    InputFile file(path);
+    return load(file, options);
+}
+
+Scene loadGlb(const std::string& name, std::vector<unsigned char> glb, const ImportOptions& options) {
+    InputFile file(name, std::move(glb));
+    return load(file, options);
 }
 
 } // namespace metamarch

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace metamarch {
 
@@ -33,5 +34,8 @@ struct ImportOptions {
 // Error(inputRefused), naming file and element, for anything unreadable, out of range or not finite, and
 // Error(invalidArgument), listing the existing ones, for an unknown scene, variant or animation.
 Scene loadScene(const std::filesystem::path& file, const ImportOptions& options = {});
+
+// Reads the bytes of a GLB, or of a glTF that names no other files. Messages call them `name`.
+Scene loadGlb(const std::string& name, std::vector<unsigned char> glb, const ImportOptions& options = {});
 
 } // namespace metamarch
