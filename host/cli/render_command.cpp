@@ -8,6 +8,7 @@
 #include "metamarch/cli/render_options.h"
 #include "metamarch/cli/render_report.h"
 #include "metamarch/cli/render_watch.h"
+#include "metamarch/cli/rendered_picture.h"
 #include "metamarch/cli/stage_log.h"
 #include "metamarch/cli/structure_report.h"
 #include "metamarch/cli/threads.h"
@@ -175,20 +176,8 @@ void RenderJob::write(const render::RenderResult& result) {
         writeFilmFile(sums_, {&result.sums, 1}, options_.outputPath);
         return;
     }
-    // The header says what the picture has: it is that of a command for as many samples.
-    const std::uint32_t wanted = std::exchange(options_.samplesPerPixel, result.settings.samplesPerPixel);
-    const std::string changed = given_.changedText(settingsOfTheRun());
-    options_.samplesPerPixel = wanted;
-    render::writePicture(
-        result,
-        {.software = programVersion(),
-         .sceneFile = options_.scenePath,
-         .camera = sceneCamera_,
-         .options = changed,
-         .isStamped = options_.isStamped,
-         .sceneSha1 = sceneSha1_,
-         .lens = options_.view.lens},
-        {options_.outputPath, options_.tone, options_.storage, denoiser_ ? &*denoiser_ : nullptr});
+    writeRenderedPicture(result, options_, given_, sceneCamera_, sceneSha1_,
+                         denoiser_ ? &*denoiser_ : nullptr);
 }
 
 // A stream takes one picture, the last.
