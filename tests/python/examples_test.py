@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Runs the examples of host/python/examples, with little work, and the examples in the docstrings."""
+import base64
+import doctest
+import importlib
+import os
+import sys
+import unittest
+
+import program
+
+os.environ["XDG_CACHE_HOME"] = str(program.CACHE)
+sys.path.insert(0, str(program.SOURCE / "host/python/examples"))
+
+import metamarch  # noqa: E402
+import numpy as np  # noqa: E402
+
+
+def example(name):
+    """Returns the example; skips the test where this machine lacks a package that it imports."""
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        raise unittest.SkipTest(str(error)) from error
+
+
+class Examples(program.ProgramTest):
+    def test_views(self):
+        scene = program.SCENES / "cornell.glb"
+        example("views").main([str(scene), str(self.tmp), "--views", "3", "--size", "12x8", "--spp", "1"])
+        self.assertEqual(sorted(file.name for file in self.tmp.iterdir()),
+                         [f"00{i}.{ending}" for i in range(3) for ending in ("npz", "png")])
+        view = np.load(self.tmp / "002.npz")
+        self.assertEqual({name: view[name].shape for name in view.files},
+                         {"mask": (8, 12), "mesh": (8, 12), "depth": (8, 12), "normal": (8, 12, 3),
+                          "world_to_camera": (4, 4)})
+        seen = view["mesh"] != 4294967295
+        self.assertTrue(seen.any() and not seen.all())
+        self.assertTrue((view["depth"][seen] > 0).all() and (view["depth"][~seen] == 0).all())
+        np.testing.assert_allclose(np.linalg.norm(view["normal"][seen], axis=1), 1, atol=1e-5)
+
+    def test_turntable(self):
+        turntable = example("turntable")
+        output = self.tmp / "turn.gif"
+        turntable.main([str(program.SCENES / "objects.glb"), str(output), "--pictures", "3", "--size", "8x8", "--spp", "1"])
+        from PIL import Image
+        with Image.open(output) as picture:
+            self.assertEqual((picture.n_frames, picture.size), (3, (8, 8)))
+
+    def test_handler(self):
+        handler = example("handler").handler
+        glb = base64.b64encode((program.SCENES / "cornell.glb").read_bytes()).decode()
+        answer = handler({"glb": glb, "width": 8, "height": 8, "spp": 1})
+        self.assertEqual(answer["statusCode"], 200)
+        self.assertTrue(base64.b64decode(answer["body"]).startswith(b"\x89PNG"))
+        refused = handler({"glb": base64.b64encode(b"nothing").decode()})
+        self.assertEqual(refused["statusCode"], 400)
+        self.assertRegex(refused["body"], "^the scene: not glTF")
+        self.assertEqual(handler({"glb": glb, "width": 4096, "height": 4096})["statusCode"], 413)
+
+    def test_from_trimesh(self):
+        from_trimesh = example("from_trimesh")
+        from_trimesh.main([str(self.tmp / "sphere.png")])
+        self.assertTrue((self.tmp / "sphere.png").exists())
+
+    def test_docstrings(self):
+        before = os.getcwd()
+        os.chdir(program.SOURCE)
+        self.addCleanup(os.chdir, before)
+        result = doctest.testmod(metamarch, optionflags=doctest.NORMALIZE_WHITESPACE)
+        self.assertEqual((result.failed, result.attempted > 10), (0, True))
+
+
+if __name__ == "__main__":
+    program.main()
