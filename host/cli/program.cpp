@@ -23,18 +23,6 @@ constexpr const char* kFooter = "Exit codes:\n"
                                 "Example:\n"
                                 "  build/metamarch devices";
 
-Command makeProgram() {
-    Command program{"metamarch", "Renders triangle scenes with Vulkan compute shaders.", {}, kFooter, {}, {}};
-    program.commands.push_back(makeRenderCommand());
-    program.commands.push_back(makeMergeCommand());
-    program.commands.push_back(makeViewCommand());
-    program.commands.push_back(makeInfoCommand());
-    program.commands.push_back(makeCompareCommand());
-    program.commands.push_back(makeBenchCommand());
-    program.commands.push_back(makeDevicesCommand());
-    return program;
-}
-
 int parseAndRun(const int argc, const char* const* const argv) {
     Command program = makeProgram();
     const int code = runCommandLine(argc, argv, program, versionText());
@@ -48,6 +36,18 @@ int parseAndRun(const int argc, const char* const* const argv) {
 }
 
 } // namespace
+
+Command makeProgram() {
+    Command program{"metamarch", "Renders triangle scenes with Vulkan compute shaders.", {}, kFooter, {}, {}};
+    program.commands.push_back(makeRenderCommand());
+    program.commands.push_back(makeMergeCommand());
+    program.commands.push_back(makeViewCommand());
+    program.commands.push_back(makeInfoCommand());
+    program.commands.push_back(makeCompareCommand());
+    program.commands.push_back(makeBenchCommand());
+    program.commands.push_back(makeDevicesCommand());
+    return program;
+}
 
 int runProgram(const int argc, const char* const* const argv) {
     initProcess();
