@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# `cpack` in the build folder makes three Debian packages: metamarch, the program with its viewer; metamarch-dev, the
+# libraries; python3-metamarch, the module.
+
+# A small OpenImageIO of tools/build_openimageio comes along. Debian's is a package that ours depend on.
+get_target_property(openimageio OpenImageIO::OpenImageIO IMPORTED_LOCATION_RELEASE)
+string(FIND "${openimageio}" ${PROJECT_BINARY_DIR}/ place)
+if(place EQUAL 0)
+    get_filename_component(folder ${openimageio} DIRECTORY)
+    file(GLOB libraries ${folder}/libOpenImageIO*.so.*)
+    install(FILES ${libraries} DESTINATION lib/metamarch COMPONENT program)
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${folder})
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME metamarch)
+set(CPACK_PACKAGE_CONTACT "metamarch")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL program dev)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME metamarch)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Path tracer for glTF scenes on Vulkan compute shaders")
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME metamarch-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_DEV_DESCRIPTION "Libraries of metamarch, a path tracer for glTF scenes")
+if(TARGET metamarch_python)
+    get_property(minor GLOBAL PROPERTY METAMARCH_PYTHON_MINOR)
+    math(EXPR next "${minor} + 1")
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-metamarch)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "metamarch (= ${PROJECT_VERSION}), python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy")
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module of metamarch, a path tracer for glTF scenes")
+endif()
+include(CPack)
