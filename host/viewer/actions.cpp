@@ -90,6 +90,7 @@ void turnView(Settings& settings, const int by) {
     constexpr int kCount = static_cast<int>(render::kViewNames.size()) + 1;
     const int current = settings.view ? static_cast<int>(*settings.view) + 1 : 0;
     const int next = (current + by + kCount) % kCount;
+    settings.channel.clear();
     settings.view = next == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(next - 1));
 }
 

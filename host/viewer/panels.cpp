@@ -2,6 +2,7 @@
 #include "metamarch/viewer/panels.h"
 
 #include "metamarch/render/view_names.h"
+#include "metamarch/viewer/channel_picture.h"
 #include "metamarch/viewer/controls.h"
 #include "metamarch/vulkan/byte_text.h"
 
@@ -41,14 +42,26 @@ constexpr auto kItself = [](const auto& name) { return name; };
 
 void drawViewChoice(Settings& settings) {
     const char* const beauty = "picture";
-    const char* const current = settings.view ? render::kViewNames[*settings.view].name.data() : beauty;
+    const char* const current = settings.view              ? render::kViewNames[*settings.view].name.data()
+                                : settings.channel.empty() ? beauty
+                                                           : settings.channel.c_str();
     if (ImGui::BeginCombo("view", current)) {
-        if (ImGui::Selectable(beauty, !settings.view)) {
+        if (ImGui::Selectable(beauty, !settings.view && settings.channel.empty())) {
             settings.view.reset();
+            settings.channel.clear();
         }
         for (const render::ViewName& known : render::kViewNames) {
             if (ImGui::Selectable(known.name.data(), settings.view == known.view)) {
                 settings.view = known.view;
+            }
+        }
+        ImGui::Separator();
+        for (const Aov& channel : shownChannels()) {
+            const std::string name = channel.name();
+            if (ImGui::Selectable(fmt::format("channel {}", name).c_str(),
+                                  !settings.view && settings.channel == name)) {
+                settings.view.reset();
+                settings.channel = name;
             }
         }
         ImGui::EndCombo();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/progressive_image.h"
 
+#include "metamarch/render/seen_points.h"
 #include "metamarch/shared/primary.h"
+#include "metamarch/viewer/channel_picture.h"
 #include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
@@ -27,6 +29,7 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
     isToClear = true;
     unresolved.clear();
     denoised.clear();
+    channelSamples = 0;
     const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
     if (request.view) {
         if (!inspector) {
@@ -87,8 +90,24 @@ void ProgressiveImage::setTone(const ToneMapping& toneMapping) {
     tone = toneMapping;
     if (showsDenoised()) {
         writeDenoised();
-    } else if (path && !request.view) {
+    } else if (showsChannel()) {
+        writeChannel();
+    } else {
+        showFilm();
+    }
+}
+
+void ProgressiveImage::showFilm() {
+    if (path && !request.view) {
         unresolved = {path->tracer.begunTiles()};
+    }
+}
+
+void ProgressiveImage::setChannel(const std::string& name) {
+    if (channel != name) {
+        channel = name;
+        channelSamples = 0;
+        showFilm();
     }
 }
 
@@ -98,22 +117,41 @@ void ProgressiveImage::setDenoiser(const Denoiser* const usedDenoiser) {
     }
     denoiser = usedDenoiser;
     denoised.clear();
-    if (path && !request.view) {
-        unresolved = {path->tracer.begunTiles()};
-    }
+    showFilm();
 }
 
-void ProgressiveImage::denoise() {
+void ProgressiveImage::update() {
+    if (request.view) {
+        return;
+    }
+    const std::uint32_t samples = wholeSamples();
+    if (!channel.empty() && samples > channelSamples && (samples >= 2 * channelSamples || isFinished())) {
+        channelSamples = samples;
+        writeChannel();
+    }
     if (denoised.take() && showsDenoised()) {
         writeDenoised();
     }
-    if (denoiser != nullptr && !request.view && denoised.wants(wholeSamples(), isFinished())) {
+    if (denoiser != nullptr && channel.empty() && denoised.wants(wholeSamples(), isFinished())) {
         denoised.begin(*denoiser, film(), pictureSize, wholeSamples());
     }
 }
 
 void ProgressiveImage::writeDenoised() {
     const std::vector<std::uint32_t> pixels = denoised.pixels(tone);
+    vulkan::write(device, picture(), 0, std::as_bytes(std::span(pixels)));
+}
+
+void ProgressiveImage::writeChannel() {
+    const Aov& row = aovNamed(channel);
+    const FilmData taken = film();
+    std::vector<SeenPoint> seen;
+    if (row.isOfSeenPoint) {
+        const Camera camera = makeCamera(request.camera, pictureSize.x, pictureSize.y, request.lens);
+        seen = render::seenPoints(scene.scene(), camera, {0, 0, pictureSize.x, pictureSize.y},
+                                  &request.settings, taken.pixels);
+    }
+    const std::vector<std::uint32_t> pixels = channelPixels(row, taken, seen, tone);
     vulkan::write(device, picture(), 0, std::as_bytes(std::span(pixels)));
 }
 
@@ -124,7 +162,7 @@ void ProgressiveImage::record(vulkan::Commands& commands) {
         commands.fill(picture(), 0);
         isToClear = false;
     }
-    if (showsDenoised()) {
+    if (showsDenoised() || showsChannel()) {
         unresolved.clear();
     }
     for (const render::TileRange& tiles : unresolved) {

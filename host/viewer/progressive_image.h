@@ -52,8 +52,11 @@ class ProgressiveImage {
     // With a denoiser, which must outlive this object, denoise() replaces the path tracer's picture by one
     // without noise.
     void setDenoiser(const Denoiser* usedDenoiser);
-    // Call it between two frames. Throws what Denoiser throws.
-    void denoise();
+    // The name of a row of shownChannels() that replaces the path tracer's picture; empty: none does.
+    void setChannel(const std::string& name);
+    // Brings channel or denoised picture up to date, each time that the samples have doubled. Call it between
+    // two frames. Throws what Denoiser throws.
+    void update();
     bool isDenoising() const { return denoised.isWorking(); }
 
     // Brings picture() up to date with what advance() has done.
@@ -83,8 +86,13 @@ class ProgressiveImage {
 
     void clear();
     bool isFinished() const;
-    bool showsDenoised() const { return denoiser != nullptr && !request.view && !denoised.isEmpty(); }
+    bool showsDenoised() const {
+        return denoiser != nullptr && channel.empty() && !request.view && !denoised.isEmpty();
+    }
+    bool showsChannel() const { return !channel.empty() && !request.view && channelSamples > 0; }
+    void showFilm();
     void writeDenoised();
+    void writeChannel();
 
     const vulkan::Device& device;
     const render::DeviceScene& scene;
@@ -99,6 +107,8 @@ class ProgressiveImage {
     ToneMapping tone;
     const Denoiser* denoiser = nullptr;
     DenoisedPicture denoised;
+    std::string channel;
+    std::uint32_t channelSamples = 0;          // of the film whose channel is shown; 0: the picture is
     bool isToClear = false;                    // the buffer still holds the picture before start()
     std::vector<render::TileRange> unresolved; // tiles of the film that picture() does not show yet
     double secondsBefore = 0.0;                // the path tracer's deviceSeconds at start()

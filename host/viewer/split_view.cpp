@@ -60,9 +60,15 @@ void SplitView::setDenoiser(const Denoiser* const denoiser) {
     }
 }
 
-void SplitView::denoise() {
+void SplitView::setChannel(const std::string& name) {
     for (const auto& viewport : viewports) {
-        viewport->denoise();
+        viewport->setChannel(name);
+    }
+}
+
+void SplitView::update() {
+    for (const auto& viewport : viewports) {
+        viewport->update();
     }
 }
 

@@ -28,9 +28,10 @@ class SplitView {
 
     void start(const RenderRequest& request);
     void setTone(const ToneMapping& toneMapping);
-    // Removes the noise of the fine pictures, as ProgressiveImage does.
+    // As those of ProgressiveImage, for the fine pictures.
     void setDenoiser(const Denoiser* denoiser);
-    void denoise();
+    void setChannel(const std::string& name);
+    void update();
     bool isDenoising() const;
 
     // Does the work between two frames: the coarse pictures, as far as the time allows; once they are whole,

@@ -298,6 +298,7 @@ class Viewer {
             }
             splitView.setTone(now.tone);
             splitView.setDenoiser(chosenDenoiser());
+            splitView.setChannel(now.channel);
             if (std::exchange(isStale, false) || areOthers) {
                 splitView.start(makeRenderRequest());
             }
@@ -323,7 +324,7 @@ class Viewer {
         if (!splitView.isEmpty()) {
             attempt([&] {
                 hasWorked = splitView.advance();
-                splitView.denoise();
+                splitView.update();
             });
         }
         return hasWorked;

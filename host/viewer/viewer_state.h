@@ -31,6 +31,7 @@ inline bool isHeatMap(const std::uint32_t view) {
 struct Settings {
     PathChoice path;
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
+    std::string channel;               // of shownChannels(), in place of the picture; empty: none
     float heatMax = 32.0f;             // number of steps or tests with the hottest colour
     std::string traversal;
     std::string secondTraversal; // of the right viewport; empty: there is one viewport

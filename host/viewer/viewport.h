@@ -19,7 +19,8 @@ class Viewport {
     void start(const RenderRequest& request, double seconds);
     void setTone(const ToneMapping& toneMapping);
     void setDenoiser(const Denoiser* denoiser) { fine.setDenoiser(denoiser); }
-    void denoise() { fine.denoise(); }
+    void setChannel(const std::string& channel) { fine.setChannel(channel); }
+    void update() { fine.update(); }
 
     // Continues in one submission of about `seconds`. Returns false if nothing is left to do.
     bool advance(double seconds);
