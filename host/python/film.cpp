@@ -39,9 +39,11 @@ std::shared_ptr<OpenDevice> deviceFor(Choice& choice, Words& words) {
 } // namespace
 
 Film::Film(std::shared_ptr<LoadedScene> scene, Words words, const SceneCamera& camera,
-           render::RenderResult result, const std::uint32_t samplesWanted, std::vector<std::string> warnings)
+           render::RenderResult result, const std::uint32_t samplesWanted, std::vector<std::string> warnings,
+           std::unique_ptr<const Denoiser> denoiser)
     : scene_(std::move(scene)), words_(std::move(words)), camera_(camera), result_(std::move(result)),
-      image_(render::imageOf(result_)), samplesWanted_(samplesWanted), warnings_(std::move(warnings)) {}
+      denoiser_(std::move(denoiser)), image_(render::imageOf(result_, denoiser_.get())),
+      samplesWanted_(samplesWanted), warnings_(std::move(warnings)) {}
 
 bool Film::isComplete() const {
     return !result_.isCancelled && result_.settings.samplesPerPixel == samplesWanted_;
@@ -69,7 +71,7 @@ void Film::save(const std::string& path, const Words& words) const {
     cli::checkOutputsDiffer(output, cli::companionsOf(scene_->scene()));
     const cli::NamedFile inputs[] = {{"env", options.light.map}};
     cli::checkOutputsDiffer(output, inputs);
-    cli::writeRenderedPicture(result_, options, choice.settings, camera_, scene_->sha1());
+    cli::writeRenderedPicture(result_, options, choice.settings, camera_, scene_->sha1(), denoiser_.get());
 }
 
 std::vector<std::uint8_t> Film::rgba8(const Words& words) const {
@@ -77,7 +79,7 @@ std::vector<std::uint8_t> Film::rgba8(const Words& words) const {
     choice.take(words_);
     choice.take(words);
     chooseTone(choice.settings, choice.options.path.integrator, choice.options.tone);
-    return rgba8Of(render::shownImageOf(result_), choice.options.tone);
+    return rgba8Of(render::shownImageOf(result_, denoiser_.get()), choice.options.tone);
 }
 
 std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Words words, const bool isOnePass,
@@ -88,6 +90,8 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
     choice.take(words);
     choice.check();
     const render::RenderSettings settings = cli::settingsOf(choice.options);
+    // Before the long work: the library may not be installed.
+    auto denoiser = choice.options.isDenoised ? std::make_unique<const Denoiser>() : nullptr;
     const std::shared_ptr<OpenDevice> device = deviceFor(choice, words);
     const cli::RenderOptions& options = choice.options;
     if (device) {
@@ -124,7 +128,7 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
         warnings.insert(warnings.end(), more->begin(), more->end());
     }
     return std::make_shared<Film>(scene, std::move(words), sceneCamera, std::move(result),
-                                  settings.samplesPerPixel, std::move(warnings));
+                                  settings.samplesPerPixel, std::move(warnings), std::move(denoiser));
 }
 
 } // namespace metamarch::python

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A picture that Python holds: its channels, and what its file needs besides.
 #pragma once
+#include "metamarch/image/denoiser.h"
 #include "metamarch/image/image.h"
 #include "metamarch/python/loaded_scene.h"
 #include "metamarch/render/render.h"
@@ -16,7 +17,8 @@ namespace metamarch::python {
 class Film {
   public:
     Film(std::shared_ptr<LoadedScene> scene, Words words, const SceneCamera& camera,
-         render::RenderResult result, std::uint32_t samplesWanted, std::vector<std::string> warnings);
+         render::RenderResult result, std::uint32_t samplesWanted, std::vector<std::string> warnings,
+         std::unique_ptr<const Denoiser> denoiser);
 
     const Image& image() const { return image_; }
     const render::RenderResult& result() const { return result_; }
@@ -38,6 +40,7 @@ class Film {
     Words words_;
     SceneCamera camera_;
     render::RenderResult result_;
+    std::unique_ptr<const Denoiser> denoiser_; // null: the picture stays as it is
     Image image_;
     std::uint32_t samplesWanted_;
     std::vector<std::string> warnings_;
