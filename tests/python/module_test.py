@@ -334,6 +334,8 @@ class Module(program.ProgramTest):
             (metamarch.InvalidArgument, r"are for the gpu \(backend, device, traversal\)$", self.small, {"device": "0"}),
             (metamarch.InvalidArgument, r"crop reaches beyond the picture of 12 x 8 pixels \(crop\)$", self.small,
              {"crop": (0, 0, 13, 8)}),
+            (metamarch.InvalidArgument, r"primary has no noise \(denoise\)$", self.small,
+             {"denoise": True, "integrator": "primary"}),
             (metamarch.InputRefused, r"none\.hdr: ", self.small, {"env": Path("none.hdr")}),
             (metamarch.NoDevice, r"", self.small, {"backend": "gpu", "device": "no such device"}),
             (metamarch.InputRefused, r"^none\.glb: no such file$", metamarch.load, {"scene": "none.glb"}),

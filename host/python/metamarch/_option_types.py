@@ -31,6 +31,7 @@ class RenderOptions(TypedDict, total=False):
     aov: str | Sequence[str]
     miss_depth: float
     transparent: bool
+    denoise: bool
     camera: "Camera | str | int"
     eye: Sequence[float]
     target: Sequence[float]
