@@ -234,7 +234,7 @@ CASES = [
     # render: device and method
     ("render cornell.glb -o a.exr --device 99", 4, NO_OUTPUT, r"device 99: there is no such device; devices: 0: .* \(--device\)"),
     ("render cornell.glb -o a.exr --device nonsense", 4, NO_OUTPUT, r"device 'nonsense': fits no usable device; .* \(--device\)"),
-    ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r"--backend cpu .* for the gpu"),
+    ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r".* are for the gpu \(--backend, --device, --traversal\)"),
     ("render cornell.glb -o a.exr --traversal fast", 2, NO_OUTPUT, r"--traversal fast: give meta_table, .* or ray_query"),
     ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"--integrator fast: give path, direct, ao or primary"),
     *((f"render cornell.glb -o a.exr --{option} {value}", 2, NO_OUTPUT, rf"--{option} {value}: .*")
