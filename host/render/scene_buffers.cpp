@@ -71,7 +71,7 @@ void requireTraversal(const vulkan::DeviceReport& device, const std::string_view
 }
 
 Memory fasterMemory(const vulkan::DeviceReport& device) {
-    return device.driver == "llvmpipe" ? Memory::texel : Memory::storage;
+    return device.driver == "llvmpipe" || !device.runsWithStorageBuffers() ? Memory::texel : Memory::storage;
 }
 
 TriangleChunks chunkTriangles(const std::uint64_t recordCount, const std::uint64_t maxStorageBufferRange) {

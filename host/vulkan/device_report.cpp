@@ -11,7 +11,6 @@ namespace {
 
 // The limits that every kernel may rely on.
 constexpr uint32_t kWorkGroupSize = 64;      // invocations, all along x
-constexpr uint32_t kStorageBuffers = 8;      // per kernel
 constexpr uint32_t kPushConstantBytes = 128; // the minimum that Vulkan guarantees
 
 DeviceType typeOf(vk::PhysicalDeviceType type) {
@@ -170,9 +169,12 @@ std::string versionText(uint32_t apiVersion) {
                        VK_API_VERSION_PATCH(apiVersion));
 }
 
+bool DeviceReport::runsWithStorageBuffers() const {
+    return maxPerStageDescriptorStorageBuffers >= kMostStorageBuffers;
+}
+
 bool DeviceReport::runsEveryKernel() const {
-    return maxPerStageDescriptorStorageBuffers >= kMostStorageBuffers &&
-           maxPerStageDescriptorSampledImages >= kMostTexelBuffers;
+    return runsWithStorageBuffers() || maxPerStageDescriptorSampledImages >= kMostTexelBuffers;
 }
 
 std::vector<std::string> refusalsOf(const DeviceReport& report) {
@@ -197,7 +199,7 @@ std::vector<std::string> refusalsOf(const DeviceReport& report) {
     require("maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations, kWorkGroupSize);
     require("maxComputeWorkGroupSize[0]", report.maxComputeWorkGroupSizeX, kWorkGroupSize);
     require("maxPerStageDescriptorStorageBuffers", report.maxPerStageDescriptorStorageBuffers,
-            kStorageBuffers);
+            kLeastStorageBuffers);
     require("maxPushConstantsSize", report.maxPushConstantsSize, kPushConstantBytes);
     return refusals;
 }

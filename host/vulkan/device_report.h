@@ -51,15 +51,18 @@ struct DeviceReport {
     std::vector<std::string> refusals; // what we need and the device lacks, in words; empty: usable
 
     bool usable() const { return refusals.empty(); }
-    // Returns false if some kernels do not fit, although others do.
+    // Return true if every kernel fits that reads the scene through storage buffers, or any.
+    bool runsWithStorageBuffers() const;
     bool runsEveryKernel() const;
     bool hasRayQuery() const { return missingForRayQuery.empty(); }
 };
 
-// The most storage buffers and texel buffers of one kernel. Vulkan guarantees fewer, but most devices have
-// more.
+// The most descriptors of one kernel. Each kernel is there twice: one reads the scene through storage
+// buffers, of which Vulkan guarantees fewer; the other through texel buffers, with no more storage buffers
+// than Vulkan guarantees.
 inline constexpr uint32_t kMostStorageBuffers = 34;
 inline constexpr uint32_t kMostTexelBuffers = 19;
+inline constexpr uint32_t kLeastStorageBuffers = 8;
 
 // The extensions for ray queries. They are enabled if the device has all of them.
 inline constexpr std::array<const char*, 3> kRayQueryExtensions{

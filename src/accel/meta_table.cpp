@@ -181,7 +181,8 @@ TableOverBudget::TableOverBudget(const std::uint64_t budget)
 
 MetaTable buildMetaTable(const uvec3 resolution, const std::span<const Leaf> leaves,
                          const std::uint64_t budget) {
-    return {{leaves.begin(), leaves.end()}, resolution, TableBuilder(resolution, leaves, budget).run(), {}, {}};
+    return {
+        {leaves.begin(), leaves.end()}, resolution, TableBuilder(resolution, leaves, budget).run(), {}, {}};
 }
 
 } // namespace metamarch

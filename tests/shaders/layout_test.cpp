@@ -340,6 +340,10 @@ TEST(Descriptors, areAsManyAsADeviceIsAskedFor) {
     for (const Shader& shader : shaders()) {
         const SpirvLayout layout = readLayout(shader.spirv);
         storageBuffers = std::max(storageBuffers, layout.storageBuffers);
+        if (shader.memory == Memory::texel) {
+            EXPECT_LE(layout.storageBuffers, vulkan::kLeastStorageBuffers)
+                << shader.kernel << shader.traversal;
+        }
         texelBuffers = std::max(texelBuffers, layout.texelBuffers);
     }
     EXPECT_EQ(storageBuffers, vulkan::kMostStorageBuffers);

@@ -37,12 +37,18 @@ TEST(DeviceChoice, takesTheFirstUsableOfTheBestType) {
 
 TEST(DeviceChoice, prefersADeviceThatRunsEveryKernel) {
     std::vector<DeviceReport> reports = kReports;
-    reports[3].maxPerStageDescriptorStorageBuffers = kMostStorageBuffers - 1;
+    const auto spoil = [&](const std::size_t i) {
+        reports[i].maxPerStageDescriptorStorageBuffers = kMostStorageBuffers - 1;
+        EXPECT_TRUE(reports[i].runsEveryKernel()); // through texel buffers
+        reports[i].maxPerStageDescriptorSampledImages = kMostTexelBuffers - 1;
+        EXPECT_FALSE(reports[i].runsEveryKernel());
+    };
+    spoil(3);
     EXPECT_EQ(defaultDevice(reports), 4u);
-    reports[4].maxPerStageDescriptorSampledImages = kMostTexelBuffers - 1;
+    spoil(4);
     EXPECT_EQ(defaultDevice(reports), 1u);
-    reports[0].maxPerStageDescriptorStorageBuffers = 8;
-    reports[1].maxPerStageDescriptorStorageBuffers = 8;
+    spoil(0);
+    spoil(1);
     EXPECT_EQ(defaultDevice(reports), 3u); // no device runs all, and this one is the fastest
 }
 

@@ -26,7 +26,7 @@ OTHERS = [
     ("vulkan/", "Vulkan::Vulkan", ["vulkan", "render", "bench", "viewer", "cli"]),
     ("webp/", "PkgConfig::WEBP", ["scene"]),
 ]
-POSIX = ["fcntl.h", "poll.h", "unistd.h", "sys/"]
+POSIX = ["dlfcn.h", "fcntl.h", "poll.h", "unistd.h", "sys/"]
 # This file prints the versions of the libraries that the program is built with.
 VERSIONS = "host/cli/version.cpp"
 
