@@ -25,8 +25,8 @@ struct TriangleChunks {
     std::uint32_t triangles; // number of records in each chunk but the last
 };
 
-// Returns texel buffers on llvmpipe, which reads them faster. Otherwise returns storage buffers, which are
-// large enough on every device.
+// Returns texel buffers on llvmpipe, which reads them faster, and where a device has too few storage buffers.
+// Otherwise returns storage buffers, which are large enough on every device.
 Memory fasterMemory(const vulkan::DeviceReport& device);
 
 // Returns the extensions and features that `device` lacks for `traversal`; an empty list means that the
