@@ -13,6 +13,7 @@
 #include "metamarch/shared/primary.h"
 #include "metamarch/shared/ray_query.h"
 #include "metamarch/shared/rectilinear.h"
+#include "metamarch/shared/reference_box.h"
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/shared/shading_layout.h"
@@ -224,6 +225,7 @@ struct WordBuffer {
 
 const WordBuffer kWordBuffers[] = {
     {"leafWordsBuffer", "Leaf"},
+    {"referenceBoxWordsBuffer", "LeafFrame"}, // and behind the frames groups of four boxes
     {"kdNodeWordsBuffer", "KdNode"},
     {"kdParentWordsBuffer", "KdParent"},
     {"bvhNodeWordsBuffer", "BvhNode"},
@@ -238,9 +240,9 @@ const WordBuffer kWordBuffers[] = {
     {"tableWordsBuffer", "TableEntry"},
 };
 
-// The buffers whose entries are four numbers without a struct.
+// The buffers whose entries are four numbers without a struct, or single words that are read four at a time.
 constexpr std::string_view kVectorBuffers[] = {"colorWordsBuffer", "tangentWordsBuffer",
-                                               "environmentWordsBuffer"};
+                                               "metaTableWordsBuffer", "environmentWordsBuffer"};
 
 // The buffers with several members, and the struct of C++ with the same members.
 const WordBuffer kBlocks[] = {{"InputBuffer", "PathInput"}};
