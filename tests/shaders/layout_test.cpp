@@ -13,7 +13,6 @@
 #include "metamarch/shared/primary.h"
 #include "metamarch/shared/ray_query.h"
 #include "metamarch/shared/rectilinear.h"
-#include "metamarch/shared/reference_box.h"
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/shared/shading_layout.h"
@@ -225,7 +224,6 @@ struct WordBuffer {
 
 const WordBuffer kWordBuffers[] = {
     {"leafWordsBuffer", "Leaf"},
-    {"referenceBoxWordsBuffer", "LeafFrame"}, // and behind the frames groups of four boxes
     {"kdNodeWordsBuffer", "KdNode"},
     {"kdParentWordsBuffer", "KdParent"},
     {"bvhNodeWordsBuffer", "BvhNode"},
@@ -240,9 +238,9 @@ const WordBuffer kWordBuffers[] = {
     {"tableWordsBuffer", "TableEntry"},
 };
 
-// The buffers whose entries are four numbers without a struct, or single words that are read four at a time.
+// The buffers whose entries are four numbers without a struct.
 constexpr std::string_view kVectorBuffers[] = {"colorWordsBuffer", "tangentWordsBuffer",
-                                               "metaTableWordsBuffer", "environmentWordsBuffer"};
+                                               "environmentWordsBuffer"};
 
 // The buffers with several members, and the struct of C++ with the same members.
 const WordBuffer kBlocks[] = {{"InputBuffer", "PathInput"}};
