@@ -32,7 +32,6 @@ const uint kBindBoxes = 23u;        // traversal `ray_query`: the driver's hiera
 const uint kBindRectilinear = 24u;  // uniform
 const uint kBindPlanes = 25u;
 const uint kBindBuckets = 26u;
-const uint kBindReferenceBoxes = 27u;
 
 // The triangle records are the largest array of a scene. If it exceeds a device's maxStorageBufferRange, it
 // is cut into up to this number of buffers of equal size.

@@ -24,7 +24,6 @@ struct MetaTable {
     std::vector<std::uint32_t> words; // layout: shared/meta_table.h
     // The triangle records in the order of the table's leaves; empty if these are the kd-tree's leaves.
     std::vector<TriangleRecord> triangles;
-    std::vector<std::uint32_t> referenceBoxes; // layout: shared/reference_box.h; none for uneven cells
 
     // Returns the id of the leaf that holds the cell.
     std::uint32_t leafAt(const ivec3 cell) const {

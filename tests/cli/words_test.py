@@ -32,7 +32,7 @@ ANSWERS = {
     "--exposure": "--gain --ev",
     "--transparent": "--film-transparent --no-background --alpha",
     "--shadow-catcher": "--shadow-plane --ground-plane",
-    "denoiser": "--denoise",
+    "--denoise": "--denoiser",
     "--crop": "--border --crop-window",
     "no file of settings": "--config",
     "standard error": "--log",
