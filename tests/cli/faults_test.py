@@ -6,7 +6,8 @@ import subprocess
 from program import SCENES, ProgramTest, main, metamarch
 
 CORNELL = SCENES / "cornell.glb"
-SMALL = ("--size", "16x8", "--spp", "2", "--quiet")
+SMALL = ("--size", "16x8", "--quiet")
+SAMPLES = ("--spp", "2")
 NO_DEVICE, TOO_LARGE = 4, 6  # exit codes
 
 
@@ -19,10 +20,10 @@ class FaultsTest(ProgramTest):
                               capture_output=True, text=True, timeout=120, check=False)
 
     def render(self, faults, name, *words):
-        return self.run_with(faults, "render", CORNELL, "-o", name, *SMALL, *words)
+        return self.run_with(faults, "render", CORNELL, "-o", name, *SMALL, *(words or SAMPLES))
 
     def plain(self):
-        self.succeed("render", CORNELL, "-o", "plain.exr", *SMALL)
+        self.succeed("render", CORNELL, "-o", "plain.exr", *SMALL, *SAMPLES)
         return (self.tmp / "plain.exr").read_bytes()
 
     def test_clocks_that_say_nothing(self):
@@ -34,41 +35,38 @@ class FaultsTest(ProgramTest):
                 self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
 
     def test_limits(self):
-        """Either the picture of a better device, or one line with the limit's name."""
+        """The picture of a better device, or one line with the limit's name. lavapipe reads texel buffers."""
         plain = self.plain()
-        for faults, limit in (("storageBuffers=8", "maxPerStageDescriptorStorageBuffers"),
-                              ("storageBuffers=31", "maxPerStageDescriptorStorageBuffers"),
-                              ("sampledImages=16", "maxPerStageDescriptorSampledImages"),
-                              ("storageRange=134217728", "maxStorageBufferRange"), ("texels=65536", "maxTexelBufferElements"),
-                              ("storageRange=4096", "maxStorageBufferRange"), ("texels=16", "maxTexelBufferElements"),
-                              ("workGroups=1", "maxComputeWorkGroupCount"), ("allocation=4096", "maxMemoryAllocationSize")):
+        for faults in ("storageBuffers=8", "storageRange=134217728", "texels=65536", "workGroups=1"):
             with self.subTest(faults=faults):
                 done = self.render(faults, "a.exr")
-                if done.returncode == 0:
-                    self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
-                else:
-                    self.assertIn(done.returncode, (NO_DEVICE, TOO_LARGE), done.stderr)
-                    self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-                    self.assertIn(limit, done.stderr)
-                (self.tmp / "a.exr").unlink(missing_ok=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
+                (self.tmp / "a.exr").unlink()
+        for faults, code, limit in (("sampledImages=16", NO_DEVICE, "maxPerStageDescriptorSampledImages 16"),
+                                    ("storageRange=4096", TOO_LARGE, "maxStorageBufferRange"), ("texels=16", TOO_LARGE, "maxTexelBufferElements"),
+                                    ("allocation=4096", TOO_LARGE, "maxMemoryAllocationSize")):
+            with self.subTest(faults=faults):
+                done = self.render(faults, "a.exr")
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (code, 1), done.stderr)
+                self.assertIn(limit, done.stderr)
+                self.assertFalse((self.tmp / "a.exr").exists())
 
     def test_a_lost_device(self):
-        """What was finished is written; the line says that the device was lost."""
-        for at in (1, 4, 9):
+        """Before the first result there is no picture; after it, what was finished is written."""
+        for at, samples, is_written in ((1, 2, False), (9, 2, False), (90, 4096, True)):
             with self.subTest(at=at):
-                done = self.render(f"lostAt={at}", "a.exr", "--write-every", "0.001")
+                done = self.render(f"lostAt={at}", "a.exr", "--spp", str(samples), "--write-every", "0.001")
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (NO_DEVICE, 1), done.stderr)
-                self.assertRegex(done.stderr, "lost|Lost|LOST")
-                if (self.tmp / "a.exr").exists():
-                    self.succeed("compare", "a.exr", "a.exr")
+                self.assertIn("DeviceLost", done.stderr)
+                self.assertEqual((self.tmp / "a.exr").exists(), is_written)
 
     def test_memory_that_runs_out(self):
         for at in (1, 6, 30):
             with self.subTest(at=at):
                 done = self.render(f"memoryEndsAt={at}", "a.exr")
-                if done.returncode != 0:
-                    self.assertEqual((done.returncode, done.stderr.count("\n")), (TOO_LARGE, 1), done.stderr)
-                    self.assertIn("memory", done.stderr)
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (TOO_LARGE, 1), done.stderr)
+                self.assertIn("does not fit into device memory", done.stderr)
 
 
 if __name__ == "__main__":

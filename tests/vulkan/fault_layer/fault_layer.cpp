@@ -83,11 +83,22 @@ std::atomic<bool> isLost = false;
 // Handles of one instance or device, and of what belongs to it, begin with the same pointer.
 void* keyOf(const void* const handle) { return *static_cast<void* const*>(handle); }
 
+// The functions of which this layer has its own.
+constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties", "vkGetPhysicalDeviceProperties2",
+                                        "vkGetPhysicalDeviceQueueFamilyProperties",
+                                        "vkGetPhysicalDeviceSurfaceFormatsKHR",
+                                        "vkGetPhysicalDeviceSurfaceCapabilitiesKHR"};
+constexpr const char* kOfDevices[] = {"vkAllocateMemory",     "vkQueueSubmit",   "vkWaitForFences",
+                                      "vkDeviceWaitIdle",     "vkQueueWaitIdle", "vkGetQueryPoolResults",
+                                      "vkAcquireNextImageKHR"};
+
+// What lies below an instance or a device. The functions are asked for while it is made: later the loader may
+// answer with those of the topmost layer.
 struct Below {
     VkInstance instance = VK_NULL_HANDLE; // of an instance
     PFN_vkGetInstanceProcAddr instanceAddress = nullptr;
-    VkDevice device = VK_NULL_HANDLE; // of a device
-    PFN_vkGetDeviceProcAddr deviceAddress = nullptr;
+    PFN_vkGetDeviceProcAddr deviceAddress = nullptr; // of a device
+    std::map<std::string, PFN_vkVoidFunction> functions;
 };
 
 std::mutex belowLock;
@@ -99,15 +110,8 @@ Below below(const void* const handle) {
 }
 
 template <class Function>
-Function nextOfInstance(const void* const handle, const char* const name) {
-    const Below found = below(handle);
-    return reinterpret_cast<Function>(found.instanceAddress(found.instance, name));
-}
-
-template <class Function>
-Function nextOfDevice(const void* const handle, const char* const name) {
-    const Below found = below(handle);
-    return reinterpret_cast<Function>(found.deviceAddress(found.device, name));
+Function next(const void* const handle, const char* const name) {
+    return reinterpret_cast<Function>(below(handle).functions.at(name));
 }
 
 // The link of the chain that the loader gives to this layer.
@@ -124,13 +128,17 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* const 
                                               const VkAllocationCallbacks* const memory,
                                               VkInstance* const instance) {
     auto* const link = linkOf<VkLayerInstanceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    const PFN_vkGetInstanceProcAddr address = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    const auto create = reinterpret_cast<PFN_vkCreateInstance>(next(VK_NULL_HANDLE, "vkCreateInstance"));
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(address(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, memory, instance);
     if (result == VK_SUCCESS) {
+        Below made{.instance = *instance, .instanceAddress = address, .functions = {}};
+        for (const char* const name : kOfInstances) {
+            made.functions[name] = address(*instance, name);
+        }
         const std::lock_guard lock(belowLock);
-        belows[keyOf(*instance)] = {.instance = *instance, .instanceAddress = next};
+        belows[keyOf(*instance)] = made;
     }
     return result;
 }
@@ -140,15 +148,19 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
                                             const VkAllocationCallbacks* const memory,
                                             VkDevice* const device) {
     auto* const link = linkOf<VkLayerDeviceCreateInfo>(info, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    const PFN_vkGetInstanceProcAddr address = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
     const PFN_vkGetDeviceProcAddr nextOfDevices = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const auto create =
-        reinterpret_cast<PFN_vkCreateDevice>(next(below(physical).instance, "vkCreateDevice"));
+        reinterpret_cast<PFN_vkCreateDevice>(address(below(physical).instance, "vkCreateDevice"));
     const VkResult result = create(physical, info, memory, device);
     if (result == VK_SUCCESS) {
+        Below made{.deviceAddress = nextOfDevices, .functions = {}};
+        for (const char* const name : kOfDevices) {
+            made.functions[name] = nextOfDevices(*device, name);
+        }
         const std::lock_guard lock(belowLock);
-        belows[keyOf(*device)] = {.device = *device, .deviceAddress = nextOfDevices};
+        belows[keyOf(*device)] = made;
     }
     return result;
 }
@@ -168,15 +180,14 @@ void worsen(VkPhysicalDeviceLimits& limits) {
 
 VKAPI_ATTR void VKAPI_CALL getProperties(const VkPhysicalDevice physical,
                                          VkPhysicalDeviceProperties* const properties) {
-    nextOfInstance<PFN_vkGetPhysicalDeviceProperties>(physical, "vkGetPhysicalDeviceProperties")(physical,
-                                                                                                 properties);
+    next<PFN_vkGetPhysicalDeviceProperties>(physical, "vkGetPhysicalDeviceProperties")(physical, properties);
     worsen(properties->limits);
 }
 
 VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
                                           VkPhysicalDeviceProperties2* const properties) {
-    nextOfInstance<PFN_vkGetPhysicalDeviceProperties2>(physical, "vkGetPhysicalDeviceProperties2")(
-        physical, properties);
+    next<PFN_vkGetPhysicalDeviceProperties2>(physical, "vkGetPhysicalDeviceProperties2")(physical,
+                                                                                         properties);
     worsen(properties->properties.limits);
     for (auto* part = static_cast<VkBaseOutStructure*>(properties->pNext); part != nullptr;
          part = part->pNext) {
@@ -192,8 +203,8 @@ VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
 
 VKAPI_ATTR void VKAPI_CALL getQueueFamilies(const VkPhysicalDevice physical, std::uint32_t* const count,
                                             VkQueueFamilyProperties* const families) {
-    nextOfInstance<PFN_vkGetPhysicalDeviceQueueFamilyProperties>(
-        physical, "vkGetPhysicalDeviceQueueFamilyProperties")(physical, count, families);
+    next<PFN_vkGetPhysicalDeviceQueueFamilyProperties>(physical, "vkGetPhysicalDeviceQueueFamilyProperties")(
+        physical, count, families);
     for (std::uint32_t i = 0; families != nullptr && i < *count; ++i) {
         limit("timestampBits", families[i].timestampValidBits);
     }
@@ -208,7 +219,7 @@ VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(const VkDevice device, const VkMem
     if (has("memoryEndsAt") && ++allocations >= valueOf("memoryEndsAt")) {
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
     }
-    return nextOfDevice<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, memory, allocated);
+    return next<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, memory, allocated);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(const VkQueue queue, const std::uint32_t count,
@@ -218,24 +229,24 @@ VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(const VkQueue queue, const std::uint3
         isLost = true;
     }
     return isLost ? VK_ERROR_DEVICE_LOST
-                  : nextOfDevice<PFN_vkQueueSubmit>(queue, "vkQueueSubmit")(queue, count, submits, fence);
+                  : next<PFN_vkQueueSubmit>(queue, "vkQueueSubmit")(queue, count, submits, fence);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL waitForFences(const VkDevice device, const std::uint32_t count,
                                              const VkFence* const fences, const VkBool32 all,
                                              const std::uint64_t nanoseconds) {
     return isLost ? VK_ERROR_DEVICE_LOST
-                  : nextOfDevice<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all,
-                                                                                 nanoseconds);
+                  : next<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all,
+                                                                         nanoseconds);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL deviceWaitIdle(const VkDevice device) {
-    const VkResult result = nextOfDevice<PFN_vkDeviceWaitIdle>(device, "vkDeviceWaitIdle")(device);
+    const VkResult result = next<PFN_vkDeviceWaitIdle>(device, "vkDeviceWaitIdle")(device);
     return isLost ? VK_ERROR_DEVICE_LOST : result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL queueWaitIdle(const VkQueue queue) {
-    const VkResult result = nextOfDevice<PFN_vkQueueWaitIdle>(queue, "vkQueueWaitIdle")(queue);
+    const VkResult result = next<PFN_vkQueueWaitIdle>(queue, "vkQueueWaitIdle")(queue);
     return isLost ? VK_ERROR_DEVICE_LOST : result;
 }
 
@@ -245,7 +256,7 @@ VKAPI_ATTR VkResult VKAPI_CALL getQueryPoolResults(const VkDevice device, const 
                                                    const std::size_t size, void* const data,
                                                    const VkDeviceSize stride,
                                                    const VkQueryResultFlags flags) {
-    const VkResult result = nextOfDevice<PFN_vkGetQueryPoolResults>(device, "vkGetQueryPoolResults")(
+    const VkResult result = next<PFN_vkGetQueryPoolResults>(device, "vkGetQueryPoolResults")(
         device, pool, first, count, size, data, stride, flags);
     if (result != VK_SUCCESS || count != 2 || size < 2 * sizeof(std::uint64_t) ||
         stride != sizeof(std::uint64_t)) {
@@ -277,7 +288,7 @@ VKAPI_ATTR VkResult VKAPI_CALL acquireNextImage(const VkDevice device, const VkS
     if (isNth(outdated, "acquireOutOfDate")) {
         return VK_ERROR_OUT_OF_DATE_KHR;
     }
-    const VkResult result = nextOfDevice<PFN_vkAcquireNextImageKHR>(device, "vkAcquireNextImageKHR")(
+    const VkResult result = next<PFN_vkAcquireNextImageKHR>(device, "vkAcquireNextImageKHR")(
         device, chain, nanoseconds, semaphore, fence, image);
     return result == VK_SUCCESS && has("suboptimal") ? VK_SUBOPTIMAL_KHR : result;
 }
@@ -286,7 +297,7 @@ VKAPI_ATTR VkResult VKAPI_CALL getSurfaceFormats(const VkPhysicalDevice physical
                                                  std::uint32_t* const count,
                                                  VkSurfaceFormatKHR* const formats) {
     if (!has("tenBitOnly")) {
-        return nextOfInstance<PFN_vkGetPhysicalDeviceSurfaceFormatsKHR>(
+        return next<PFN_vkGetPhysicalDeviceSurfaceFormatsKHR>(
             physical, "vkGetPhysicalDeviceSurfaceFormatsKHR")(physical, surface, count, formats);
     }
     if (formats != nullptr && *count > 0) {
@@ -299,7 +310,7 @@ VKAPI_ATTR VkResult VKAPI_CALL getSurfaceFormats(const VkPhysicalDevice physical
 VKAPI_ATTR VkResult VKAPI_CALL getSurfaceCapabilities(const VkPhysicalDevice physical,
                                                       const VkSurfaceKHR surface,
                                                       VkSurfaceCapabilitiesKHR* const capabilities) {
-    const VkResult result = nextOfInstance<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
+    const VkResult result = next<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
         physical, "vkGetPhysicalDeviceSurfaceCapabilitiesKHR")(physical, surface, capabilities);
     if (has("noOpaqueAlpha")) {
         capabilities->supportedCompositeAlpha = VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
