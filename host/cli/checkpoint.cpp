@@ -76,6 +76,12 @@ void requireSamePicture(const render::FilmFile& wanted, const std::string& wante
         refuse("--size", fmt::format("{}x{}", file.width, file.height),
                fmt::format("{}x{}", wanted.width, wanted.height));
     }
+    // The first file's names stand for the hits of all.
+    if (wanted.cryptomatte != file.cryptomatte) {
+        throw Error(ErrorKind::inputRefused,
+                    fmt::format("{}: is of another picture: its names of objects differ from those in {}",
+                                name, wantedName));
+    }
 }
 
 render::FilmRun takeRun(render::FilmFile file, const std::string& path, const render::FilmFile& wanted,

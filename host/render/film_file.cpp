@@ -219,7 +219,8 @@ class Reader {
     void requireGroups(const FilmData& film, const FilmFile& file) {
         for (const std::vector<HitCount>& hits : film.hits) {
             for (const HitCount& hit : hits) {
-                if (std::ranges::any_of(file.cryptomatte, [&](const CryptomatteLevel& level) {
+                if (file.cryptomatte.empty() ||
+                    std::ranges::any_of(file.cryptomatte, [&](const CryptomatteLevel& level) {
                         return hit.group >= level.nameOfGroup.size();
                     })) {
                     file_.refuse("is cut off or damaged");

@@ -25,7 +25,8 @@ struct FilmSpan {
 struct FilmRun {
     PixelRect area;
     std::vector<FilmSpan> spans;
-    // Of each pixel, if the run begins with sample 0 and a channel of the picture needs it; otherwise none.
+    // What first samples see, one for each pixel. Empty unless the run begins with sample 0 and a channel of
+    // the picture needs it.
     std::vector<SeenPoint> seen{};
 };
 

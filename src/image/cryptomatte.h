@@ -21,6 +21,8 @@ inline constexpr std::size_t kCryptomatteRanks = 6;
 struct CryptomatteLevel {
     std::string layer;                    // "CryptoObject"
     std::vector<std::string> nameOfGroup; // FilmData::hits has groups; equal names are one object
+
+    bool operator==(const CryptomatteLevel&) const = default;
 };
 
 // MurmurHash3_x86_32 with seed 0.

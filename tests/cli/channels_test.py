@@ -314,6 +314,12 @@ class ChannelsTest(ProgramTest):
             ground = [picture["A"][y][x] for y in range(HEIGHT) for x in range(WIDTH) if picture["R"][y][x] == 0]
             self.assertGreater(len(ground), WIDTH * HEIGHT / 2)
             self.assertTrue(min(ground) == 0 and 0.1 < max(ground) < 1)
+        # Parts of the usual channels go together too.
+        part = ("render", "both.gltf", *SIZE, "--backend", "cpu", "--quiet", *words[2:], "--shadow-catcher", "0")
+        self.succeed(*part, "-o", "a.part", "--samples", "0:1")
+        self.succeed(*part, "-o", "b.part", "--samples", "1:4")
+        self.succeed("merge", "a.part", "b.part", "-o", "merged.exr", "--quiet")
+        self.assertEqual((self.tmp / "merged.exr").read_bytes(), (self.tmp / "a.exr").read_bytes())
         line = self.refuse(2, "render", "both.gltf", "-o", "b.exr", "--shadow-catcher", "floor")
         self.assertEqual(line, "there is no material floor; the scene has 0 'grey 0.3', 1 'grey 0.6'; a plane is y=HEIGHT or auto (--shadow-catcher)")
 
