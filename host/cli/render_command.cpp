@@ -176,8 +176,18 @@ void RenderJob::write(const render::RenderResult& result) {
         writeFilmFile(sums_, {&result.sums, 1}, options_.outputPath);
         return;
     }
-    writeRenderedPicture(result, options_, given_, sceneCamera_, sceneSha1_,
-                         denoiser_ ? &*denoiser_ : nullptr);
+    if (denoiser_) {
+        try {
+            writeRenderedPicture(result, options_, given_, sceneCamera_, sceneSha1_, &*denoiser_);
+            return;
+        } catch (const Error& error) {
+            if (error.settings != std::vector<std::string>{"denoise"}) {
+                throw;
+            }
+            printWarnings({fmt::format("{}; the picture keeps its noise", error.what())});
+        }
+    }
+    writeRenderedPicture(result, options_, given_, sceneCamera_, sceneSha1_, nullptr);
 }
 
 // A stream takes one picture, the last.
@@ -339,7 +349,9 @@ void writeMerged(const render::FilmFile& file, const std::string& name, FilmData
     result.settings = settingsOf(options);
     const std::vector<Aov> aovs = result.settings.aovs();
     const bool hasHits = !film.hits.empty();
-    if (film.parts() != filmPartsOf(aovs) || hasHits == file.cryptomatte.empty() ||
+    // The catcher's shadow is among the sums of light.
+    const std::uint32_t parts = filmPartsOf(aovs) | (options.catcher.isOn() ? kFilmLight : 0u);
+    if (film.parts() != parts || hasHits == file.cryptomatte.empty() ||
         seen.empty() == std::ranges::any_of(aovs, &Aov::isOfSeenPoint)) {
         throw Error(ErrorKind::inputRefused, name + ": lacks sums for the channels of its picture");
     }

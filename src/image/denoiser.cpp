@@ -15,7 +15,8 @@ namespace {
 
 // From the C interface of Open Image Denoise 2, whose header is not needed to build.
 constexpr const char* kLibrary = "libOpenImageDenoise.so.2";
-constexpr int kDefaultDevice = 0;
+constexpr int kCpuDevice = 1; // others may not see our memory
+constexpr int kOutOfMemory = 4;
 constexpr int kFloat3 = 3;
 using Device = void*;
 using Filter = void*;
@@ -55,7 +56,7 @@ struct Denoiser::Library {
         find("oidnCommitFilter", commitFilter);
         find("oidnExecuteFilter", executeFilter);
         find("oidnReleaseFilter", releaseFilter);
-        device = newDevice(kDefaultDevice);
+        device = newDevice(kCpuDevice);
         if (device != nullptr) {
             setDeviceBool(device, "setAffinity", false); // threads belong to the whole program
             commitDevice(device);
@@ -133,8 +134,9 @@ class FilterRun {
         library_.commitFilter(filter_);
         library_.executeFilter(filter_);
         const char* fault = nullptr;
-        if (library_.deviceError(library_.device, &fault) != 0) {
-            throw Error(ErrorKind::outOfMemory,
+        const int error = library_.deviceError(library_.device, &fault);
+        if (error != 0) {
+            throw Error(error == kOutOfMemory ? ErrorKind::outOfMemory : ErrorKind::noDevice,
                         fmt::format("Open Image Denoise: {}", fault != nullptr ? fault : "it has failed"),
                         {"denoise"});
         }

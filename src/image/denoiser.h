@@ -30,8 +30,8 @@ class Denoiser {
     DenoiserGuides filterGuides(DenoiserGuides guides, int width, int height) const;
 
     // Returns the picture `color`, of linear radiance, without its noise. `guides` are what filterGuides
-    // returned. Results depend on the processor and the version. Throws Error(outOfMemory) if the library
-    // fails.
+    // returned. Results depend on the processor and the version. Throws Error(outOfMemory) or Error(noDevice)
+    // about the setting "denoise" if the library fails; so does filterGuides.
     std::vector<glm::vec3> filterColor(const std::vector<glm::vec3>& color, const DenoiserGuides& guides,
                                        int width, int height) const;
 

@@ -74,6 +74,14 @@ class DenoiseTest(ProgramTest):
         file = OpenImageIO.ImageInput.open(str(self.tmp / name))
         return {attribute.name: attribute.value for attribute in file.spec().extra_attribs}
 
+    def test_a_failure_keeps_the_picture(self):
+        self.succeed("render", CORNELL, "-o", "plain.png", *SMALL)
+        self.environment["METAMARCH_FAKE_FAULT"] = "1"
+        done = self.render("-o", "a.png", *SMALL, "--denoise", library=os.environ["METAMARCH_FAKE_DENOISER"])
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (0, 1), done.stderr)
+        self.assertIn("keeps its noise", done.stderr)
+        self.assertEqual((self.tmp / "a.png").read_bytes(), (self.tmp / "plain.png").read_bytes())
+
     def test_refusals(self):
         for words, text in ((("-o", "a.part"), "a .part holds sums"), (("-o", "a.exr", "--integrator", "primary"), "no noise")):
             done = self.run_program("render", CORNELL, *SMALL[:2], "--backend", "cpu", *words, "--denoise")

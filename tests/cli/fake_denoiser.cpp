@@ -3,6 +3,7 @@
 // picture: the right answer for a wall of one colour. Guides stay as they are. What the real library would
 // refuse, or would filter badly without, is an error.
 #include <cstddef>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string>
@@ -47,7 +48,10 @@ FakeFilter& filterOf(void* const handle) { return *static_cast<FakeFilter*>(hand
 
 extern "C" {
 
-void* oidnNewDevice(int) { return &device; }
+void* oidnNewDevice(const int type) {
+    fault = type == 1 ? nullptr : "only the processor sees the program's memory";
+    return &device;
+}
 void oidnCommitDevice(void*) {}
 void oidnReleaseDevice(void*) {}
 int oidnGetDeviceInt(void*, const char* const name) { return std::string(name) == "version" ? 21703 : -1; }
@@ -86,6 +90,10 @@ void oidnCommitFilter(void* const filter) { filterOf(filter).isCommitted = true;
 void oidnExecuteFilter(void* const handle) {
     const FakeFilter& filter = filterOf(handle);
     const auto& images = filter.images;
+    if (std::getenv("METAMARCH_FAKE_FAULT") != nullptr) {
+        fault = "asked to fail";
+        return;
+    }
     if (!filter.isCommitted || !images.contains("output")) {
         fault = "the filter is not ready";
     } else if (images.contains("color")) {

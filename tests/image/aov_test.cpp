@@ -201,7 +201,7 @@ TEST(Aov, dividesLightByScatterings) {
     EXPECT_EQ(valueOf(image, "indirect.G"), 1.0f);
 }
 
-// Of four samples, one meets an object and three the shadow catcher.
+// One of four samples meets an object, and three meet the shadow catcher.
 TEST(Aov, laysShadowOverWhatIsBehindIt) {
     FilmPixel pixel = addSample(emptyPixel(), glm::vec3(8.0f), hitAt(1.0f));
     LightParts light = addLight(noLight(), 1u, glm::vec3(8.0f));

@@ -167,7 +167,7 @@ TEST(ShadowCatcher, doesNotShadowItself) {
     EXPECT_EQ(caught.reached, caught.unblocked);
 }
 
-// Of objects, the camera sees what a plain render of the same surfaces has: only the camera's own rays know a
+// The camera sees objects as a plain render of the same surfaces shows them, because only its own rays know a
 // catcher. What it sees of the catcher is a miss.
 TEST(ShadowCatcher, changesNothingElse) {
     PathScene made = litByAll(true);
