@@ -42,8 +42,9 @@ bool DenoisedPicture::take() {
     if (!work.valid() || work.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         return false;
     }
+    const bool isWanted = !std::exchange(isOfOtherPicture, false);
     std::vector<glm::vec3> result = work.get();
-    if (std::exchange(isOfOtherPicture, false)) {
+    if (!isWanted) {
         return false;
     }
     radiance = std::move(result);

@@ -54,12 +54,12 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     }
     const std::filesystem::path& file = state.scene->request.file;
     const std::string name = freeName(file.stem().string(), ending);
-    if (request.view) {
+    if (request.view || (!state.settings.channel.empty() && ending == ".png")) {
         if (ending != ".png") {
             throw Error(ErrorKind::invalidArgument,
                         "a view has no film to save: choose the picture, or a screenshot");
         }
-        writeImage(imageOf(progressive.viewPixels(), progressive.size()), name);
+        writeImage(imageOf(progressive.shownPixels(), progressive.size()), name);
         return "saved " + fullPath(name);
     }
     render::RenderResult result;

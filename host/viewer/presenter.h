@@ -18,7 +18,8 @@ struct Screen {
     const vulkan::Buffer& pixels;
     bool isBlueFirst; // order in memory: blue, green, red, alpha; otherwise red, green, blue, alpha
     bool isEmpty;     // nothing has been written to the pixels yet
-    // Those of the window before its size changed, with the same order in memory; null if there are none.
+    // The pixels that the window had before its size changed, with the same order in memory; null if it had
+    // none.
     const vulkan::Buffer* pixelsBefore;
     glm::uvec2 sizeBefore;
 };

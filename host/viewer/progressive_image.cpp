@@ -88,17 +88,15 @@ void ProgressiveImage::setTone(const ToneMapping& toneMapping) {
         return;
     }
     tone = toneMapping;
+    showAgain();
+}
+
+void ProgressiveImage::showAgain() {
     if (showsDenoised()) {
         writeDenoised();
     } else if (showsChannel()) {
         writeChannel();
-    } else {
-        showFilm();
-    }
-}
-
-void ProgressiveImage::showFilm() {
-    if (path && !request.view) {
+    } else if (path && !request.view) {
         unresolved = {path->tracer.begunTiles()};
     }
 }
@@ -107,7 +105,7 @@ void ProgressiveImage::setChannel(const std::string& name) {
     if (channel != name) {
         channel = name;
         channelSamples = 0;
-        showFilm();
+        showAgain();
     }
 }
 
@@ -117,7 +115,7 @@ void ProgressiveImage::setDenoiser(const Denoiser* const usedDenoiser) {
     }
     denoiser = usedDenoiser;
     denoised.clear();
-    showFilm();
+    showAgain();
 }
 
 void ProgressiveImage::update() {
@@ -173,6 +171,15 @@ void ProgressiveImage::record(vulkan::Commands& commands) {
 
 const vulkan::Buffer& ProgressiveImage::picture() const {
     return request.view ? inspector->picture() : path->resolver.picture();
+}
+
+std::vector<std::uint32_t> ProgressiveImage::shownPixels() const {
+    if (request.view) {
+        return inspector->download();
+    }
+    std::vector<std::uint32_t> pixels(std::size_t{pictureSize.x} * pictureSize.y);
+    vulkan::read(device, picture(), 0, std::as_writable_bytes(std::span(pixels)));
+    return pixels;
 }
 
 FilmData ProgressiveImage::film() const {

@@ -70,8 +70,8 @@ class ProgressiveImage {
 
     // Returns the film. Only for the path tracer's picture.
     FilmData film() const;
-    // Returns the pixels in rows from the top. Only for a view.
-    std::vector<std::uint32_t> viewPixels() const { return inspector->download(); }
+    // Returns the packed pixels that are shown, in rows from the top.
+    std::vector<std::uint32_t> shownPixels() const;
 
   private:
     struct Path {
@@ -90,7 +90,7 @@ class ProgressiveImage {
         return denoiser != nullptr && channel.empty() && !request.view && !denoised.isEmpty();
     }
     bool showsChannel() const { return !channel.empty() && !request.view && channelSamples > 0; }
-    void showFilm();
+    void showAgain();
     void writeDenoised();
     void writeChannel();
 

@@ -210,11 +210,15 @@ class Viewer {
     // Poses the scene at the next time as soon as the last pose is there.
     void play(const double seconds) {
         Playback& playback = state.playback;
-        sincePose += seconds;
+        sincePose = playback.isPlaying ? sincePose + seconds : 0.0;
         if (!playback.isPlaying || !state.scene || scenes.isBusy()) {
             return;
         }
         const double length = state.scene->whole->animationSeconds();
+        if (length <= 0.0) { // the file was read again and has no animation any more
+            playback.isPlaying = false;
+            return;
+        }
         double time = state.settings.import.time.value_or(0.0) +
                       std::exchange(sincePose, 0.0) * static_cast<double>(playback.speed);
         if (time > length) {
