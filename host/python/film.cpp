@@ -121,6 +121,9 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
         result = renderPicture(lit, camera, settings, control);
     }
     if (result.failure) {
+        if (device) {
+            forgetDevice(device);
+        }
         std::rethrow_exception(result.failure);
     }
     std::vector<std::string> warnings = render::warningsOf(*lit.structure);

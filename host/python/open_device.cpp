@@ -26,6 +26,11 @@ std::shared_ptr<OpenDevice> openDevice(const std::string& selection) {
     return device;
 }
 
+void forgetDevice(const std::shared_ptr<OpenDevice>& device) {
+    const std::scoped_lock lock(mutex);
+    std::erase_if(*devices, [&](const auto& entry) { return entry.second == device; });
+}
+
 void closeDevices() {
     const std::scoped_lock lock(mutex);
     devices->clear();

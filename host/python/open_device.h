@@ -22,6 +22,9 @@ struct OpenDevice {
 // Returns the device that `selection` names, as --device does. Throws Error(noDevice).
 std::shared_ptr<OpenDevice> openDevice(const std::string& selection);
 
+// Opens the device anew for the next picture: it was lost.
+void forgetDevice(const std::shared_ptr<OpenDevice>& device);
+
 // Lets go of the devices; those that scenes still use stay open.
 void closeDevices();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/python/options.h"
 
+#include "metamarch/error/error.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -9,9 +11,10 @@
 namespace metamarch::python {
 namespace {
 
-// These belong to a program that ends with its picture.
-constexpr std::string_view kOfTheProgram[] = {"output",   "stats",       "quiet",   "verbose",    "threads",
-                                              "progress", "write-every", "samples", "checkpoint", "resume"};
+// These belong to a program that ends with its picture, or to the scene that the program loads for it.
+constexpr std::string_view kOfTheProgram[] = {"output",     "stats",    "quiet",          "verbose",
+                                              "threads",    "progress", "write-every",    "samples",
+                                              "checkpoint", "resume",   "shadow-catcher", "frame-rate"};
 
 template <class Declare>
 std::vector<std::string> declared(const Declare& declare) {
@@ -76,6 +79,12 @@ void Choice::take(const Words& words) {
 void Choice::check() const {
     settings.checkTogether(spelled);
     cli::checkArguments(options);
+    if (cli::hasMotion(options)) {
+        throw Error(
+            ErrorKind::invalidArgument,
+            "motion takes the scene of the next frame, which only the program `metamarch render` loads",
+            {"aov"});
+    }
 }
 
 const std::vector<std::string>& settingsOf(const Call call) {

@@ -384,7 +384,7 @@ TYPES = {"WxH": "tuple[int, int] | str", "x,y,z": "Sequence[float]", "r,g,b": "S
          "x0,y0,x1,y1": "Sequence[int]", "N": "int", "FILE": "str | os.PathLike[str]",
          "FILE.json": "str | os.PathLike[str]", "NAME|INDEX": "str | int", "INDEX|NAME": "str | int", "METHOD": "str",
          "NAME": "str", "inf|DEPTH": "float", "U|Ux,Uy,Uz": "float | Sequence[float]"}
-OTHER_TYPES = {"camera": '"Camera | str | int"', "tree_depth": "int", "shadow_catcher": "str"}
+OTHER_TYPES = {"camera": '"Camera | str | int"', "tree_depth": "int"}
 
 
 def option_types():

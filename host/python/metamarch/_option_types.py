@@ -30,10 +30,8 @@ class RenderOptions(TypedDict, total=False):
     size: tuple[int, int] | str
     aov: str | Sequence[str]
     miss_depth: float
-    frame_rate: float
     transparent: bool
     denoise: bool
-    shadow_catcher: str
     camera: "Camera | str | int"
     eye: Sequence[float]
     target: Sequence[float]
