@@ -30,6 +30,13 @@ Trace startTrace(const Ray ray) { return Trace(Hit(ray.tMax, kNoTriangle), 0u, 0
 // error.
 void finish(inout Trace trace) { trace.finished = trace.tests == trace.expectedTests; }
 
+// The same behind a loop that has ended by its condition. There the compiler takes the condition for false,
+// although the driver may have ended the loop. So the loop keeps in a number what is left to do.
+void finishUnless(const uint left, inout Trace trace) {
+    trace.expectedTests += left;
+    finish(trace);
+}
+
 // Stores the hit of the triangle record in `trace` if it is closer than the hit there.
 void keepCloser(const Ray ray, const uint recordIndex, inout Trace trace) {
     const TriangleRecord triangle = loadTriangle(recordIndex);

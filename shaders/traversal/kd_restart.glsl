@@ -24,6 +24,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
     // Invariant: every triangle that the ray meets before tNear has been tested.
     bool isOn = true;
+    uint left = 1u;
     while (isOn) {
         uint nodeId = 0u;
         float tFar = ray.tFar;
@@ -41,10 +42,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         // A triangle may extend beyond its leaf, so only a hit inside the leaf is known to be the closest.
         isOn = !isDone(trace, anyHit) && trace.hit.t > tFar && tFar < ray.tFar;
+        left = isOn ? 1u : 0u;
         tNear = tFar;
     }
-    // The driver may have ended the loop early.
-    if (!isOn) {
-        finish(trace);
-    }
+    finishUnless(left, trace);
 }

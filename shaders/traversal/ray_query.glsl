@@ -29,6 +29,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     // Invariant: each box that the ray meets between tMin and the best hit has been tested or will be
     // offered.
     bool offered = rayQueryProceedEXT(query);
+    uint left = offered ? 1u : 0u;
     while (offered) {
         ++trace.steps;
         const uint best = trace.hit.triangleId;
@@ -41,7 +42,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
             return;
         }
         offered = rayQueryProceedEXT(query);
+        left = offered ? 1u : 0u;
     }
-    trace.expectedTests += offered ? 1u : 0u; // not finished if the driver ended the loop
-    finish(trace);
+    finishUnless(left, trace);
 }

@@ -32,6 +32,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
     // Invariant: `cell` is in the lattice, and every triangle that the ray meets before it has been tested.
     bool isOn = true;
+    uint left = 1u;
     while (isOn) {
         ++trace.steps;
         const Leaf leaf = loadLeafAt(cell, resolution);
@@ -43,9 +44,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         cell = cellBehind(ray, lo, hi, cell, found, next.axis);
         // A triangle may extend beyond the box, so only a hit inside the box is known to be the closest.
         isOn = !isDone(trace, anyHit) && trace.hit.t > next.t && isInLattice(cell, resolution);
+        left = isOn ? 1u : 0u;
     }
-    // The driver may have ended the loop early.
-    if (!isOn) {
-        finish(trace);
-    }
+    finishUnless(left, trace);
 }

@@ -28,6 +28,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
 
     // Invariant: `cell` is in the grid, and every triangle that the ray meets before it has been tested.
     bool isOn = true;
+    uint left = 1u;
     while (isOn) {
         ++trace.steps;
         const GridCell content = loadGridCell(cellIndex(cell, grid.resolution));
@@ -35,10 +36,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
         const BoxExit next = leaveCell(gridRay, cell);
         // A triangle may extend beyond the cell, so only a hit inside the cell is known to be the closest.
         isOn = !isDone(trace, anyHit) && trace.hit.t > next.t && isInLattice(next.cell, grid.resolution);
+        left = isOn ? 1u : 0u;
         cell = next.cell;
     }
-    // The driver may have ended the loop early.
-    if (!isOn) {
-        finish(trace);
-    }
+    finishUnless(left, trace);
 }

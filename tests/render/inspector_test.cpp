@@ -312,31 +312,58 @@ TEST_F(InspectorWork, takesShadersInPlaceOfTheEmbeddedOnes) {
     expectSamePicture(draw(inspector, camera, kViewLeafId, 1.0f), withMisses(kViewLeafId, kOtherOfCells), 40);
 }
 
-// One leaf has more triangles than llvmpipe tests in a loop.
-TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
-    PathScene made;
-    addSphere(made.scene, glm::vec3(0.0f), 1.0f, 400, 100); // 79,200 triangles
-    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
-    const InspectorOnBothSides sides(made, {{}, {}, 0u}); // all in one leaf
+// Returns the number of pixels that have the colour of unfinished traces; the others must be right.
+std::size_t expectLoudOrRight(const InspectorOnBothSides& sides, const std::string& traversal,
+                              const std::uint32_t view) {
     const Camera camera = sides.camera(8, 8);
-    render::Inspector inspector = sides.inspector("meta_table", 64);
+    render::Inspector inspector = sides.inspector(traversal, 64);
+    const auto expected = sides.onCpu(traversal, camera, view, 4.0f);
+    const auto picture = draw(inspector, camera, view, 4.0f);
+    std::size_t unfinished = 0;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        const bool isUnfinished = picture[i] == kUnfinishedColor;
+        unfinished += isUnfinished ? 1 : 0;
+        EXPECT_TRUE(isUnfinished || picture[i] == expected[i]) << "pixel " << i;
+    }
+    return unfinished;
+}
+
+// Later versions of llvmpipe end no loop.
+bool endsLongLoops() {
+    const vulkan::DeviceReport& report = vulkan::testDevice().report();
+    return report.driver == "llvmpipe" && report.driverInfo.starts_with("Mesa 22.");
+}
+
+PathScene denseSphere(const unsigned slices, const unsigned stacks) {
+    PathScene made;
+    addSphere(made.scene, glm::vec3(0.0f), 1.0f, slices, stacks);
+    made.view = frameBounds(boundsOf(made.scene), kDefaultVerticalFov, 1.0f);
+    return made;
+}
+
+// One leaf has more groups of boxes than llvmpipe turns in a loop.
+TEST(InspectorCutShort, isDrawnLoudlyOrRight) {
+    const InspectorOnBothSides sides(denseSphere(800, 400), {{}, {}, 0u}); // 638,400 triangles in one leaf
     for (const std::uint32_t view : {kViewSteps, kViewNormals, kViewLeafId}) {
         SCOPED_TRACE(view);
-        const auto expected = sides.onCpu("meta_table", camera, view, 4.0f);
-        const auto picture = draw(inspector, camera, view, 4.0f);
-        std::size_t unfinished = 0;
-        for (std::size_t i = 0; i < picture.size(); ++i) {
-            const bool isUnfinished = picture[i] == kUnfinishedColor;
-            unfinished += isUnfinished ? 1 : 0;
-            EXPECT_TRUE(isUnfinished || picture[i] == expected[i]) << "pixel " << i;
-        }
-        // Later versions of llvmpipe end no loop.
-        const vulkan::DeviceReport& report = vulkan::testDevice().report();
-        if (report.driver == "llvmpipe" && report.driverInfo.starts_with("Mesa 22.")) {
-            EXPECT_GT(unfinished, 0u);
-        }
+        EXPECT_EQ(expectLoudOrRight(sides, "meta_table", view) > 0, endsLongLoops());
     }
 }
+
+// Eight rays visit leaves of several lengths together. Where llvmpipe ends their loops, some of them are
+// between two leaves.
+class InspectorCutBetweenLeaves : public testing::TestWithParam<std::string> {};
+
+TEST_P(InspectorCutBetweenLeaves, isDrawnLoudlyOrRight) {
+    PathScene made = denseSphere(300, 300); // 179,400 triangles
+    // In a large scene, uniform cells hold thousands of the triangles.
+    addTriangle(made.scene, {100, 100, 100}, {101, 100, 100}, {100, 101, 100});
+    const InspectorOnBothSides sides(made, {{}, 200'000u, 24u});
+    EXPECT_EQ(expectLoudOrRight(sides, GetParam(), kViewNormals) > 0, endsLongLoops());
+}
+
+INSTANTIATE_TEST_SUITE_P(Traversals, InspectorCutBetweenLeaves, testing::Values("kd_restart", "uniform_grid"),
+                         [](const auto& instance) { return instance.param; });
 
 } // namespace
 } // namespace metamarch::tests
