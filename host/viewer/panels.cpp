@@ -353,7 +353,7 @@ void drawMarchLog(ViewerState& state) {
         const MarchStep& step = log.steps[static_cast<std::size_t>(state.marchStep) - 1];
         const glm::ivec3 size = step.exitBox.hi - step.exitBox.lo;
         line(fmt::format("cell {} {} {} is of leaf {}", step.cell.x, step.cell.y, step.cell.z, step.leafId));
-        line(fmt::format("{} triangles tested", step.triangleCount));
+        line(fmt::format("{} of {} triangles tested", step.tests, step.triangleCount));
         line(fmt::format("exit box of {} x {} x {} cells", size.x, size.y, size.z));
         line(fmt::format("t {:.5g} to {:.5g}{}", step.tNear, step.tFar, step.isFinal ? ", the last" : ""));
     }

@@ -15,7 +15,7 @@ CellFacts loadCellFacts(const CellPlace place) {
     const uvec3 beside = uvec3(leafBeside(place.cell + ivec3(place.side.x, 0, 0)),
                                leafBeside(place.cell + ivec3(0, place.side.y, 0)),
                                leafBeside(place.cell + ivec3(0, 0, place.side.z)));
-    return CellFacts(place, leafId, beside, loadLeaf(leafId));
+    return CellFacts(place, leafId, beside, loadFramedLeaf(leafId));
 }
 
 void main() {

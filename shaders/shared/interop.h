@@ -24,7 +24,8 @@
 namespace metamarch {
 using uint = std::uint32_t;
 using glm::abs, glm::clamp, glm::cross, glm::dot, glm::floor, glm::max, glm::min, glm::mix, glm::sqrt;
-using glm::bvec3, glm::greaterThan, glm::ivec3, glm::uvec2, glm::uvec3, glm::vec2, glm::vec3, glm::vec4;
+using glm::bvec3, glm::greaterThan, glm::ivec3, glm::uvec2, glm::uvec3, glm::uvec4, glm::vec2, glm::vec3,
+    glm::vec4;
 using glm::floatBitsToInt, glm::floatBitsToUint, glm::uintBitsToFloat;
 } // namespace metamarch
 #else

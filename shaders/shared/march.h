@@ -27,8 +27,7 @@ SHARED_FN BoxExit leaveBox(const Ray ray, const ivec3 lo, const ivec3 hi, const 
     const bool exitY = !exitX && tPlane.y <= tPlane.z;
     const float t = exitX ? tPlane.x : exitY ? tPlane.y : tPlane.z;
 
-    const ivec3 entered = cellAt(ray, t, lo, hi);
-    const ivec3 onward = mix(min(entered, cell), max(entered, cell), upward);
+    const ivec3 onward = cellAt(ray, t, mix(lo, cell, upward), mix(cell + 1, hi, upward));
     const ivec3 beyond = mix(lo - 1, hi, upward);
     return BoxExit(t, ivec3(exitX ? beyond.x : onward.x, exitY ? beyond.y : onward.y,
                             exitX || exitY ? onward.z : beyond.z));

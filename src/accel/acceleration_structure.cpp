@@ -3,6 +3,7 @@
 
 #include "metamarch/accel/exit_boxes.h"
 #include "metamarch/accel/leaf_merging.h"
+#include "metamarch/accel/reference_boxes.h"
 #include "metamarch/error/error.h"
 #include "metamarch/shared/triangle.h"
 
@@ -120,6 +121,7 @@ void build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
     } else {
         result.table = buildTable(result.tree, result.lattice, options, budget);
     }
+    result.table.framedLeaves = frameLeaves(result.lattice, result.table.leaves, result.tableTriangles());
     result.tableSeconds = lap(clock);
 }
 

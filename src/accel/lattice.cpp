@@ -21,13 +21,13 @@ constexpr double kMaxExtent = 1e10;
 constexpr double kUnitRounding = 0x1p-22;
 
 // Chosen by measurement: MEASURED.md in this folder.
-constexpr double kCellsPerTriangle = 20.0;
+constexpr double kCellsPerTriangle = 2.5;
 constexpr double kMinCells = 4096.0;
 
 // Largest cell size, in typical edges. It matters where a model stands on a floor: kCellsPerTriangle would
 // leave the model a handful of cells. Closed models on their own get about equally fine cells from
 // kCellsPerTriangle. Chosen by measurement: MEASURED.md in this folder.
-constexpr double kCellPerEdge = 0.75;
+constexpr double kCellPerEdge = 1.5;
 
 // Smallest cell size for typical edges, as a fraction of the longest side. Smaller cells would list triangles
 // only because of their margins.

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNoLeaf = kMixed - 1u; // marks a mixed brick that has no place yet
 constexpr int kSide = kBrickSide;
+constexpr std::size_t kWordsPerLoad = 4; // shaders load this many words at once
 
 // Number of bricks that are filled per batch.
 constexpr std::size_t kBatch = 1u << 12u;
@@ -42,6 +43,7 @@ class TableBuilder {
         nameWholeBricks();
         listLeavesOfMixedBricks();
         placeMixedBricks();
+        words.resize((words.size() + (kWordsPerLoad - 1)) / kWordsPerLoad * kWordsPerLoad);
         return std::move(words);
     }
 
@@ -179,7 +181,8 @@ TableOverBudget::TableOverBudget(const std::uint64_t budget)
 
 MetaTable buildMetaTable(const uvec3 resolution, const std::span<const Leaf> leaves,
                          const std::uint64_t budget) {
-    return {{leaves.begin(), leaves.end()}, resolution, TableBuilder(resolution, leaves, budget).run(), {}};
+    return {
+        {leaves.begin(), leaves.end()}, resolution, TableBuilder(resolution, leaves, budget).run(), {}, {}};
 }
 
 } // namespace metamarch

@@ -24,6 +24,9 @@ struct MetaTable {
     std::vector<std::uint32_t> words; // layout: shared/meta_table.h
     // The triangle records in the order of the table's leaves; empty if these are the kd-tree's leaves.
     std::vector<TriangleRecord> triangles;
+    // The leaves again, with the boxes of their references: the array of shared/reference_box.h. Uneven cells
+    // have none.
+    std::vector<std::uint32_t> framedLeaves;
 
     // Returns the id of the leaf that holds the cell.
     std::uint32_t leafAt(const ivec3 cell) const {

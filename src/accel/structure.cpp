@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/accel/structure.h"
 
+#include "metamarch/shared/reference_box.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,16 +33,18 @@ constexpr StructurePart kLeaves{"leaves", kBindLeaves, 4,
 constexpr StructurePart kNodes{"kd-tree nodes", kBindKdNodes, 2,
                                [](const Set& set) { return bytesOf(set.kdTree().tree.nodes); }};
 
-// An entry of a brick and one of a cell, few whole bricks lying near surfaces, and the leaf.
-constexpr std::uint64_t kTableVisit = 2 * sizeof(std::uint32_t) + sizeof(Leaf);
+// An entry of a brick and one of a cell, few whole bricks lying near surfaces, and the leaf. Entries are
+// loaded with their neighbours, four words at once.
+constexpr std::uint64_t kTableVisit = 2 * (4 * sizeof(std::uint32_t)) + sizeof(Leaf);
 
 std::span<const Structure> structures() {
     static const Structure kStructures[] = {
         {"meta_table",
          [](const Set& set) { return set.kdTree().tableTriangles(); },
-         {{"exit boxes", kBindLeaves, 4, [](const Set& set) { return bytesOf(set.kdTree().table.leaves); }},
-          {"meta table", kBindTable, 1, [](const Set& set) { return bytesOf(set.kdTree().table.words); }}},
-         kTableVisit,
+         {{"exit boxes with reference boxes", kBindLeaves, 4,
+           [](const Set& set) { return bytesOf(set.kdTree().table.framedLeaves); }},
+          {"meta table", kBindTable, 4, [](const Set& set) { return bytesOf(set.kdTree().table.words); }}},
+         kTableVisit + sizeof(LeafFrame),
          [](const Set& set) { return set.kdTree().treeSeconds + set.kdTree().tableSeconds; }},
         // Three planes for the exit and, behind it, three look-ups with one plane each.
         {"rectilinear_table",
@@ -53,7 +57,7 @@ std::span<const Structure> structures() {
            [](const Set& set) { return bytesOf(set.rectilinearTable().planes.buckets()); }},
           {"rectilinear exit boxes", kBindLeaves, 4,
            [](const Set& set) { return bytesOf(set.rectilinearTable().table.leaves); }},
-          {"rectilinear table", kBindTable, 1,
+          {"rectilinear table", kBindTable, 4,
            [](const Set& set) { return bytesOf(set.rectilinearTable().table.words); }}},
          kTableVisit + 3 * sizeof(float) + 3 * (sizeof(std::uint32_t) + sizeof(float)),
          [](const Set& set) { return set.rectilinearTable.seconds(); }},

@@ -8,6 +8,7 @@ namespace metamarch {
 MarchLog logMarch(const AccelerationStructure& scene, const Ray& ray, const HitQuery query) {
     MarchLog log;
     float tNear = ray.tNear;
+    std::uint32_t tests = 0;
     log.result = marchMetaTable<Invariants::checked>(scene, ray, query, [&](const MarchTurn& turn) {
         const Hit& best = turn.trace.hit;
         const CellBox exitBox = boxOf(turn.leaf);
@@ -16,11 +17,13 @@ MarchLog logMarch(const AccelerationStructure& scene, const Ray& ray, const HitQ
                              turn.leafId,
                              exitBox,
                              turn.leaf.triangleCount,
+                             turn.trace.tests - tests,
                              ray.shift + tNear,
                              ray.shift + tFar,
                              {ray.shift + best.t, best.triangleId},
                              false});
         tNear = tFar;
+        tests = turn.trace.tests;
     });
     if (!log.steps.empty()) {
         log.steps.back().isFinal = log.result.hit.triangleId != kNoTriangle;

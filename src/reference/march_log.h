@@ -15,7 +15,8 @@ struct MarchStep {
     ivec3 cell; // the cell that was looked up
     std::uint32_t leafId;
     CellBox exitBox;
-    std::uint32_t triangleCount; // number of triangles of the leaf, all tested in this step
+    std::uint32_t triangleCount; // number of triangles of the leaf
+    std::uint32_t tests;         // number of them that were tested in this step: the ray met their boxes
     float tNear;                 // at which the step begins
     float tFar;                  // at which the ray leaves the exit box
     Hit best;                    // after the step; without a hit, t is the end of the ray

@@ -4,6 +4,10 @@
 #include "metamarch/reference/require.h"
 #include "metamarch/reference/triangle_records.h"
 #include "metamarch/shared/march.h"
+#include "metamarch/shared/reference_box.h"
+
+#include <algorithm>
+#include <bit>
 
 namespace metamarch {
 
@@ -14,6 +18,42 @@ struct MarchTurn {
     const Leaf& leaf;
     const TraceResult& trace; // with this turn's tests
 };
+
+// Tests the triangles of a leaf whose boxes the ray meets within `inExit`, the part of the ray in the exit
+// box.
+inline void testLeaf(const AccelerationStructure& scene, const Ray& ray, const std::uint32_t leafId,
+                     const vec2 inExit, const HitQuery query, TraceResult& trace) {
+    const Leaf& leaf = scene.table.leaves[leafId];
+    if (leaf.triangleCount == 0) {
+        return;
+    }
+    const uvec3 shift = nearPlaneShift(ray);
+    const std::uint32_t* const words = scene.table.framedLeaves.data();
+    const auto loadFour = [&](const std::size_t i) {
+        return uvec4(words[4 * i], words[4 * i + 1], words[4 * i + 2], words[4 * i + 3]);
+    };
+    const uvec4 stored = loadFour(frameEntry(leafId));
+    const FrameCrossing frame = crossFrame(ray, {stored.x, stored.y, stored.z, stored.w});
+    const vec2 span =
+        crossReferenceBox(frame, shift, kWholeFrame, {inExit.x, smaller(inExit.y, trace.hit.t)});
+    if (span.x > span.y) {
+        return;
+    }
+    for (std::uint32_t round = 0; round < leaf.triangleCount && !isDone(trace, query);
+         round += kMostCandidates) {
+        const std::uint32_t end = std::min(leaf.triangleCount, round + kMostCandidates);
+        std::uint32_t candidates = 0;
+        for (std::uint32_t met = round; met < end; met += kBoxesPerGroup) {
+            const uvec4 boxes = loadFour(stored.w + met / kBoxesPerGroup);
+            candidates |= meetBoxes(frame, shift, boxes, span) << (met - round);
+        }
+        for (; candidates != 0 && !isDone(trace, query); candidates &= candidates - 1) {
+            testTriangle(
+                scene.tableTriangles(), ray,
+                leaf.firstTriangle + round + static_cast<std::uint32_t>(std::countr_zero(candidates)), trace);
+        }
+    }
+}
 
 // Calls `observe` with each MarchTurn. An observer that does nothing costs nothing.
 template <Invariants invariants, class Observer>
@@ -27,27 +67,29 @@ template <Invariants invariants, class Observer>
     const std::uint32_t mostSteps = resolution.x + resolution.y + resolution.z;
     const bvec3 upward = greaterThan(ray.invStride, vec3(0.0f));
     ivec3 cell = cellAt(ray, ray.tNear, ivec3(0), ivec3(resolution));
+    float tNear = ray.tNear;
     while (true) {
         require<invariants>(isInLattice(cell, resolution), "the march left the lattice");
         require<invariants>(trace.steps < mostSteps, "the march did not end");
         ++trace.steps;
         const std::uint32_t leafId = scene.table.leafAt(cell);
         const Leaf& leaf = scene.table.leaves[leafId];
-        testTriangles(scene.tableTriangles(), ray, leaf.firstTriangle, leaf.triangleCount, trace);
-        observe(MarchTurn{cell, leafId, leaf, trace});
-        if (isDone(trace, query)) {
-            return trace;
-        }
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);
         require<invariants>(cell == clamp(cell, lo, hi - 1),
                             "the table names a leaf that does not hold the cell");
         const BoxExit next = leaveBox(ray, lo, hi, cell);
         require<invariants>(movedOn(cell, next.cell, upward), "the march did not move on");
+        testLeaf(scene, ray, leafId, {tNear, next.t}, query, trace);
+        observe(MarchTurn{cell, leafId, leaf, trace});
+        if (isDone(trace, query)) {
+            return trace;
+        }
         if (trace.hit.t <= next.t || !isInLattice(next.cell, resolution)) {
             return trace;
         }
         cell = next.cell;
+        tNear = next.t;
     }
 }
 

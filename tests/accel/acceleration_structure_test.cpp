@@ -19,7 +19,7 @@ void expectNothing(const AccelerationStructure& structure) {
     EXPECT_TRUE(isLeaf(structure.tree.nodes[0]));
     ASSERT_EQ(structure.tree.leaves.size(), 1u);
     EXPECT_EQ(structure.tree.leaves[0].triangleCount, 0u);
-    EXPECT_EQ(structure.table.words, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(structure.table.words, std::vector<std::uint32_t>(4, 0));
     EXPECT_TRUE(structure.tree.leafTriangles.empty());
     EXPECT_TRUE(structure.triangles.empty());
 }

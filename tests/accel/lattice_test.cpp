@@ -106,8 +106,8 @@ TEST(LatticeResolution, isFineWhereTrianglesAreSmall) {
         return makeLattice(boxFromOrigin(size), kTriangles, {}, typicalEdge).lattice.resolution;
     };
     EXPECT_EQ(resolutionFor(glm::vec3(1.0f), 1.0), resolutionFor(glm::vec3(1.0f), 0.0));
-    EXPECT_EQ(resolutionFor(glm::vec3(1.0f), 1.0 / 300), glm::uvec3(400));
-    EXPECT_EQ(resolutionFor({1.0f, 0.25f, 1.0f}, 1.0 / 1500), glm::uvec3(1023, 500, 1023));
+    EXPECT_EQ(resolutionFor(glm::vec3(1.0f), 1.0 / 600), glm::uvec3(400));
+    EXPECT_EQ(resolutionFor({1.0f, 0.25f, 1.0f}, 1.0 / 3000), glm::uvec3(1023, 500, 1023));
     EXPECT_EQ(resolutionFor({1.0f, 0x1p-12f, 1.0f}, 1e-9), glm::uvec3(1023, 16, 1023)); // four margins
 }
 

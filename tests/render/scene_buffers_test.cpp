@@ -85,7 +85,7 @@ TEST_F(SceneBuffers, refuseATableOverTheLimit) {
 TEST_F(SceneBuffers, refuseExitBoxesOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
-    large.table.leaves.resize(limit / sizeof(Leaf) + 1);
+    large.table.framedLeaves.resize(limit / sizeof(std::uint32_t) + 1);
     expectError(ErrorKind::outOfMemory, "exit boxes",
                 [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); });
 }

@@ -13,6 +13,7 @@
 #include "metamarch/shared/primary.h"
 #include "metamarch/shared/ray_query.h"
 #include "metamarch/shared/rectilinear.h"
+#include "metamarch/shared/reference_box.h"
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/shared/shading_layout.h"
@@ -62,6 +63,9 @@ const StructLayout kStructs[] = {
     {"Leaf",
      sizeof(Leaf),
      {MEMBER(Leaf, lo), MEMBER(Leaf, hi), MEMBER(Leaf, firstTriangle), MEMBER(Leaf, triangleCount)}},
+    {"LeafFrame",
+     sizeof(LeafFrame),
+     {MEMBER(LeafFrame, x), MEMBER(LeafFrame, y), MEMBER(LeafFrame, z), MEMBER(LeafFrame, firstGroup)}},
     {"KdNode", sizeof(KdNode), {MEMBER(KdNode, tag), MEMBER(KdNode, target)}},
     {"KdParent",
      sizeof(KdParent),
@@ -221,6 +225,7 @@ struct WordBuffer {
 
 const WordBuffer kWordBuffers[] = {
     {"leafWordsBuffer", "Leaf"},
+    {"leafWordsBuffer", "LeafFrame"}, // in the table's leaves, and groups of four boxes: all have one size
     {"kdNodeWordsBuffer", "KdNode"},
     {"kdParentWordsBuffer", "KdParent"},
     {"bvhNodeWordsBuffer", "BvhNode"},
@@ -235,9 +240,9 @@ const WordBuffer kWordBuffers[] = {
     {"tableWordsBuffer", "TableEntry"},
 };
 
-// The buffers whose entries are four numbers without a struct.
+// The buffers whose entries are four numbers without a struct, or single words that are read four at a time.
 constexpr std::string_view kVectorBuffers[] = {"colorWordsBuffer", "tangentWordsBuffer",
-                                               "environmentWordsBuffer"};
+                                               "metaTableWordsBuffer", "environmentWordsBuffer"};
 
 // The buffers with several members, and the struct of C++ with the same members.
 const WordBuffer kBlocks[] = {{"InputBuffer", "PathInput"}};
@@ -352,11 +357,13 @@ class SharedStruct : public testing::TestWithParam<StructLayout> {};
 bool liesInMemory(const SpirvLayout& layout, const StructLayout& wanted) {
     return std::any_of(layout.structs.begin(), layout.structs.end(), [&](const auto& entry) {
         const SpirvStruct& candidate = entry.second;
-        const StructLayout* const element = candidate.isBlock ? findElement(candidate.name) : nullptr;
+        const bool isElement = std::ranges::any_of(kWordBuffers, [&](const WordBuffer& buffer) {
+            return buffer.block == candidate.name && buffer.element == wanted.name;
+        });
         const auto* const whole = std::ranges::find(kBlocks, candidate.name, &WordBuffer::block);
         return (candidate.name == wanted.name && candidate.liesInMemory()) ||
                (whole != std::end(kBlocks) && whole->element == wanted.name) ||
-               (element != nullptr && element->name == wanted.name);
+               (candidate.isBlock && isElement);
     });
 }
 
