@@ -26,32 +26,44 @@ layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus statu
 layout(push_constant) uniform PushBlock { PathPush push; };
 layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 
-// Finds the closest triangle that is opaque for this path, or any such triangle. The CPU's loop ends in its
-// middle. This one ends only at its end and does all work under a condition, because of llvmpipe.
+// Finds the closest triangle that is there for this path, or any such triangle, and what is in the way. The
+// CPU's loop ends in its middle. This one ends only at its end and does all work under a condition, because
+// of llvmpipe.
 Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, const uint dimension,
-                  const uint passed) {
+                  const uint passed, out InWay inWay) {
     Trace trace = startTrace(given);
+    inWay = InWay(kNothing, kNothing);
     if (!hasFeature(kFeatureAlpha | kFeatureCatcher)) {
         traverse(given, anyHit, trace);
+        inWay.first = trace.hit.triangleId == kNoTriangle ? kNothing : kObject;
         return trace;
     }
     Ray ray = given;
-    bool isFound = false;
+    uint steps = 0u;
+    uint tests = 0u;
+    bool isDone = false;
     do {
         // The condition is needed because llvmpipe executes the loop again for lanes that have left it.
-        if (!isFound) {
+        if (!isDone) {
             Trace next = startTrace(ray);
             traverse(ray, false, next);
-            next.steps += trace.steps;
-            next.tests += trace.tests;
-            trace = next;
-            isFound = !next.finished || next.hit.triangleId == kNoTriangle;
-            if (!isFound) {
-                isFound = isThere(ray, loadTriangle(next.recordIndex), at, dimension, passed);
+            steps += next.steps;
+            tests += next.tests;
+            isDone = !next.finished || next.hit.triangleId == kNoTriangle;
+            if (inWay.first == kNothing) {
+                trace = next;
+            }
+            trace.finished = next.finished;
+            if (!isDone) {
+                inWay.last = kindOf(ray, loadTriangle(next.recordIndex), at, dimension, passed);
+                inWay.first = inWay.first == kNothing ? inWay.last : inWay.first;
+                isDone = looksBehind(passed) ? inWay.last == kLamp : inWay.last != kNothing;
                 ray.tMin = next.hit.t;
             }
         }
-    } while (!isFound);
+    } while (!isDone);
+    trace.steps = steps;
+    trace.tests = tests;
     return trace;
 }
 
@@ -80,8 +92,9 @@ void main() {
         if (isOn) {
             const Path path = taken.path;
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
+            InWay inWay;
             const Trace trace = traceOpaque(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha),
-                                            passedMaterial(settings, path));
+                                            passedMaterial(settings, path), inWay);
             bool isWhole = trace.finished;
             taken.steps += float(trace.steps);
             taken.tests += float(trace.tests);
@@ -91,21 +104,20 @@ void main() {
             } else {
                 const TriangleRecord triangle = loadTriangle(trace.recordIndex);
                 const float t = ray.shift + trace.hit.t;
-                const PathStep step = meetSurface(settings, path, ray, t, triangle, taken.at);
+                const PathStep step = meetSurface(settings, path, ray, t, triangle, inWay, taken.at);
                 taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
                 if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
                     const ShadowRay shadow = step.shadow;
                     const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);
+                    InWay ofLight;
                     const Trace blocker =
                         traceOpaque(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
-                                    passedMaterial(settings, step.path));
+                                    passedMaterial(settings, step.path), ofLight);
                     isWhole = isWhole && blocker.finished;
                     taken.steps += float(blocker.steps);
                     taken.tests += float(blocker.tests);
                     ++taken.shadowRays;
-                    if (blocker.hit.triangleId == kNoTriangle) {
-                        taken = afterShadow(taken, path.bounce, shadow.gain);
-                    }
+                    taken = afterShadow(taken, shadow.gain, ofLight);
                 }
             }
             if (isWhole && !taken.path.isAlive) {

@@ -29,6 +29,7 @@ struct Path {
     float pdf;   // of BSDF sampling for dir; kCertain for camera rays and deltas
     vec3 dir;    // unit length
     uint bounce; // number of surfaces met so far
+    uint passes; // with kFeatureVolume, number of them that were no interface: see passSurface
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
@@ -41,10 +42,12 @@ struct Path {
     // With kFeatureCatcher: the camera ray has met the shadow catcher. Then `radiance` is what the catcher,
     // which is white to this path, reflects, and the two vectors have the meaning that LightParts gives them.
     bool isCaught;
+    bool isOfLamp; // the ray from the catcher has met a lamp: what it reflects is there without objects too
     vec3 unblocked;
     vec3 behind;
 };
 const uint kNoChannel = 3u;
+const float kLampPart = 0.5f; // see kindOf
 
 // A ray to a light, and the radiance that the path gains if nothing occludes the light.
 struct ShadowRay {
@@ -64,9 +67,30 @@ struct PathStep {
 };
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
-    return Path(origin, kCertain, dir, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel, kAnyNormal,
-                true, cone, media, false, vec3(0.0f), vec3(0.0f));
+    return Path(origin, kCertain, dir, 0u, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel,
+                kAnyNormal, true, cone, media, false, false, vec3(0.0f), vec3(0.0f));
 }
+
+// Returns the number of surfaces that have scattered the path.
+SHARED_FN uint scatterings(const Path path) {
+    return hasFeature(kFeatureVolume) ? path.bounce - path.passes : path.bounce;
+}
+
+// Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
+// ray has met.
+SHARED_FN bool isFromCatcher(const Path path) { return path.isCaught && path.bounce == 1u; }
+
+// What a ray meets: nothing that is there for it, an object, or a lamp. With kFeatureCatcher.
+const uint kNothing = 0u;
+const uint kObject = 1u;
+const uint kLamp = 2u; // is there without objects too
+
+// What is in the way of a ray. A ray that leaves the catcher goes on through objects until it meets a lamp or
+// leaves the scene, so its last may be more than its first.
+struct InWay {
+    uint first;
+    uint last;
+};
 
 // Returns the first ray of a sample as a path.
 SHARED_FN Path cameraPath(const Camera camera, const PathSettings settings, const uint x, const uint y,
@@ -99,7 +123,7 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
                                const float t, const uint triangleId) {
     PathSample next = arriving;
     next.path = step.path;
-    next.light = addLight(arriving.light, arriving.path.bounce, step.path.gained);
+    next.light = addLight(arriving.light, scatterings(arriving.path), step.path.gained);
     if (arriving.path.bounce == 0u && !step.path.isCaught) {
         const float depth = t * dotProduct(arriving.path.dir, camera.forward);
         next.first = FirstHit(step.albedo, t, step.normal, triangleId, step.shadingNormal, depth);
@@ -111,16 +135,22 @@ SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, c
 SHARED_FN PathSample afterLeaving(const PathSample arriving, const Path ended) {
     PathSample next = arriving;
     next.path = ended;
-    next.light = addLight(arriving.light, arriving.path.bounce, ended.gained);
+    next.light = addLight(arriving.light, scatterings(arriving.path), ended.gained);
     return next;
 }
 
-// Adds the light of a shadow ray that nothing occludes. It left the surface that the path met as its number
-// `bounce`.
-SHARED_FN PathSample afterShadow(const PathSample lit, const uint bounce, const vec3 gain) {
+// Adds the light of a shadow ray with `inWay` in its way. It left the last surface that the path met.
+SHARED_FN PathSample afterShadow(const PathSample lit, const vec3 gain, const InWay inWay) {
     PathSample next = lit;
-    next.path.radiance = lit.path.radiance + gain;
-    next.light = addLight(lit.light, bounce + 1u, gain);
+    const bool isFree = inWay.first == kNothing;
+    if (isFree) {
+        next.path.radiance = lit.path.radiance + gain;
+        next.light = addLight(lit.light, scatterings(lit.path), gain);
+    }
+    if (hasFeature(kFeatureCatcher) &&
+        (isFromCatcher(lit.path) ? inWay.last != kLamp : lit.path.isOfLamp && isFree)) {
+        next.path.unblocked = lit.path.unblocked + gain;
+    }
     return next;
 }
 
@@ -152,10 +182,6 @@ SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended
     }
     return addSampleLight(sum, filmRadiance(path), light);
 }
-
-// Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
-// ray has met.
-SHARED_FN bool isFromCatcher(const Path path) { return path.isCaught && path.bounce == 1u; }
 
 // Returns the material of surfaces that are not there for the rays of `path`. The catcher does not shadow
 // itself: what it is laid over in the end has these shadows already.
@@ -206,17 +232,28 @@ SHARED_FN vec3 clampedGain(const PathSettings settings, const vec3 gain) {
     return isOver ? gain * (settings.clampLuminance / brightness) : gain;
 }
 
-// Returns true if the triangle that was hit is opaque for this path. A blended one is opaque with a
-// probability equal to its coverage. `passed` is the result of passedMaterial.
-SHARED_FN bool isThere(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle, const PixelSample at,
-                       const uint dimension, const uint passed) {
+// Returns what a triangle that was hit is for this path. A blended one is there with a probability equal to
+// its coverage. `passed` is the result of passedMaterial.
+//
+// A lamp is a surface that light sampling knows, where it emits at least half of the most that its texture
+// allows. Dark parts of an emissive texture, and unlit surfaces, are objects.
+SHARED_FN uint kindOf(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle, const PixelSample at,
+                      const uint dimension, const uint passed) {
     const Surface surface = loadSurface(SCENE triangle.triangleId);
     const MaterialRecord record = loadMaterial(SCENE surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
-    const float part = coverage(SCENE record, surface, weights, finestPoint(SCENE surface, weights));
+    const TexturePoint uv = finestPoint(SCENE surface, weights);
+    const float part = coverage(SCENE record, surface, weights, uv);
     const bool isPassed = hasFeature(SCENE kFeatureCatcher) && surface.material == passed;
-    return !isPassed && (part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part);
+    const bool isThere = !isPassed && (part >= 1.0f || sampleOf(at, dimension, triangle.triangleId) < part);
+    const bool isLamp = hasFeature(SCENE kFeatureCatcher) && hasFeature(SCENE kFeatureEmission) &&
+                        record.emissionDensity > 0.0f &&
+                        largest(xyz(lookUp(SCENE record.emissionTexture, uv))) >= kLampPart;
+    return !isThere ? kNothing : isLamp ? kLamp : kObject;
 }
+
+// Returns true if a ray whose passedMaterial is `passed` looks for lamps behind objects.
+SHARED_FN bool looksBehind(const uint passed) { return hasFeature(kFeatureCatcher) && passed != kNoCatcher; }
 
 // Ends a path whose ray hits no triangle.
 SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Path path) {
@@ -232,9 +269,11 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     Path ended = path;
     const vec3 whole = path.throughput * gain;
     const bool isSeen = (settings.strategies & kHideSurroundings) == 0u;
-    ended.gained = path.bounce > 0u ? clampedGain(settings, whole) : isSeen ? whole : vec3(0.0f);
+    ended.gained = scatterings(path) > 0u       ? clampedGain(settings, whole)
+                   : isSeen || path.bounce > 0u ? whole
+                                                : vec3(0.0f);
     ended.radiance = path.radiance + ended.gained;
-    if (hasFeature(SCENE kFeatureCatcher) && isFromCatcher(path)) {
+    if (hasFeature(SCENE kFeatureCatcher) && (isFromCatcher(path) || path.isOfLamp)) {
         ended.unblocked = path.unblocked + ended.gained;
     }
     ended.isAlive = false;
@@ -350,6 +389,7 @@ SHARED_FN Path passSurface(const Path path, const uint medium, const bool isBack
     next.origin = offsetPoint(point, path.dir);
     next.pdf = kCertain;
     next.bounce = path.bounce + 1u;
+    next.passes = path.passes + 1u;
     next.cone = scatteredCone(path.cone, width, kCertain);
     next.media = crossSurface(path.media, medium, isBack);
     return next;
@@ -357,7 +397,7 @@ SHARED_FN Path passSurface(const Path path, const uint medium, const bool isBack
 
 // Continues the path at `triangle`, which `ray` has hit at distance `t`. `ray` is made from the path.
 SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, const Path arriving,
-                               const Ray ray, const float t, const TriangleRecord triangle,
+                               const Ray ray, const float t, const TriangleRecord triangle, const InWay inWay,
                                const PixelSample at) {
     const Surface surface = loadSurface(SCENE triangle.triangleId);
     const bool isCatcher =
@@ -409,15 +449,18 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
                         : 0.0f);
     }
     const vec3 shown = path.throughput * (isUnlit ? material.baseColor : gain);
-    const vec3 arrived = path.radiance;
-    path.gained = path.bounce > 0u ? clampedGain(settings, shown) : shown;
-    path.radiance = arrived + path.gained;
+    path.gained = isPassed ? vec3(0.0f) : scatterings(path) > 0u ? clampedGain(settings, shown) : shown;
+    path.radiance = isPassed ? path.radiance : path.radiance + path.gained;
     if (hasFeature(SCENE kFeatureCatcher) && (isCatcher || isFromCatcher(path))) {
-        // What shines is a light, and what else is in the way is an object.
         const vec3 around = leaveScene(SCENE settings, arriving).gained;
-        path.unblocked = isCatcher ? path.unblocked : path.unblocked + around + path.gained;
+        const vec3 ofLamp = inWay.first == kLamp ? path.gained : vec3(0.0f);
+        const vec3 left = inWay.last == kLamp ? ofLamp : around;
+        path.isOfLamp = !isCatcher && inWay.first == kLamp;
+        path.unblocked = isCatcher ? path.unblocked : path.unblocked + left;
         path.behind = isCatcher ? around : path.behind;
         path.isCaught = true;
+    } else if (hasFeature(SCENE kFeatureCatcher) && path.isOfLamp) {
+        path.unblocked = path.unblocked + path.gained;
     }
 
     const bool isLast = isUnlit || path.bounce > settings.maxBounces;
@@ -430,13 +473,8 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     Path next = scatter(path, record, medium, bsdf, point, bin, width, at);
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
-        next.radiance = arrived;
-        next.gained = vec3(0.0f);
     }
     next.isAlive = next.isAlive && !isLast;
-    if (hasFeature(SCENE kFeatureCatcher) && isCatcher && shadow.isNeeded) {
-        next.unblocked = next.unblocked + shadow.gain;
-    }
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);
 }

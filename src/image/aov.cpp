@@ -51,8 +51,9 @@ glm::vec3 radianceOf(const AovPixel& pixel) {
     return pixel.light.caught > 0.0f ? mean + seenBehind(pixel) : mean;
 }
 
+// It is not limited to 0: a mean of noise that is cut off on one side would be a haze over the ground.
 float coverageOf(const AovPixel& pixel) {
-    const float shadow = 1.0f - std::min(luminance(leftLight(pixel.light)), 1.0f);
+    const float shadow = 1.0f - luminance(leftLight(pixel.light));
     return (pixel.film.covered + pixel.light.caught * shadow) / counted(pixel);
 }
 
@@ -64,7 +65,8 @@ constexpr Aov kAovs[] = {
      .use = AovUse::always,
      .precision = AovPrecision::small},
     {.names = "A",
-     .meaning = "part of the pixel that something covers, or that a shadow catcher darkens, 0 to 1",
+     .meaning = "part of the pixel that something covers, or that a shadow catcher darkens, 0 to 1; "
+                "below 0 where objects brighten the catcher",
      .value = [](const AovPixel& pixel) { return glm::vec3(coverageOf(pixel)); },
      .use = AovUse::always,
      .precision = AovPrecision::small},

@@ -17,26 +17,41 @@ struct Render {
     const Camera& camera;
 };
 
-// Finds the closest triangle that is opaque for this path, or any such triangle. kernels/path.glsl has
-// another loop, because of llvmpipe.
-TraceResult traceOpaque(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
-                        const uint dimension, const uint passed) {
+struct Found {
+    TraceResult trace; // of the closest triangle that is there for the path; steps and tests of the whole ray
+    InWay inWay;
+};
+
+// Finds the closest triangle that is there for this path, or any such triangle, and what is in the way.
+// kernels/path.glsl has another loop, because of llvmpipe.
+Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
+                  const uint dimension, const uint passed) {
+    Found found{{}, {kNothing, kNothing}};
     if (!hasFeature(render.scene, kFeatureAlpha | kFeatureCatcher)) {
-        return traceKdStack(render.structure, given, query);
+        found.trace = traceKdStack(render.structure, given, query);
+        found.inWay.first = found.trace.hit.triangleId == kNoTriangle ? kNothing : kObject;
+        return found;
     }
     Ray ray = given;
-    TraceResult result;
     while (true) {
-        TraceResult next = traceKdStack(render.structure, ray, HitQuery::closest);
-        next.steps += result.steps;
-        next.tests += result.tests;
-        result = next;
-        if (result.hit.triangleId == kNoTriangle ||
-            isThere(render.scene, ray, render.structure.triangles[result.recordIndex], at, dimension,
-                    passed)) {
-            return result;
+        const TraceResult next = traceKdStack(render.structure, ray, HitQuery::closest);
+        const uint steps = found.trace.steps + next.steps;
+        const uint tests = found.trace.tests + next.tests;
+        if (found.inWay.first == kNothing) {
+            found.trace = next;
         }
-        ray.tMin = result.hit.t;
+        found.trace.steps = steps;
+        found.trace.tests = tests;
+        if (next.hit.triangleId == kNoTriangle) {
+            return found;
+        }
+        const uint kind =
+            kindOf(render.scene, ray, render.structure.triangles[next.recordIndex], at, dimension, passed);
+        found.inWay = {found.inWay.first == kNothing ? kind : found.inWay.first, kind};
+        if (looksBehind(passed) ? kind == kLamp : kind != kNothing) {
+            return found;
+        }
+        ray.tMin = next.hit.t;
     }
 }
 
@@ -52,7 +67,7 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
     while (taken.path.isAlive) {
         const Path path = taken.path;
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
-        const TraceResult trace =
+        const auto [trace, inWay] =
             traceOpaque(render, ray, HitQuery::closest, taken.at, bounceDimension(path.bounce, kBounceAlpha),
                         passedMaterial(render.settings, path));
         count(taken, trace);
@@ -62,19 +77,18 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
         }
         const TriangleRecord& triangle = render.structure.triangles[trace.recordIndex];
         const float t = ray.shift + trace.hit.t;
-        const PathStep step = meetSurface(render.scene, render.settings, path, ray, t, triangle, taken.at);
+        const PathStep step =
+            meetSurface(render.scene, render.settings, path, ray, t, triangle, inWay, taken.at);
         taken = afterStep(render.camera, taken, step, t, trace.hit.triangleId);
         if (step.shadow.isNeeded) {
             const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
                                         step.shadow.tMax);
-            const TraceResult blocker = traceOpaque(render, toLight, HitQuery::any, taken.at,
-                                                    bounceDimension(path.bounce, kBounceLightAlpha),
-                                                    passedMaterial(render.settings, step.path));
+            const auto [blocker, ofLight] = traceOpaque(render, toLight, HitQuery::any, taken.at,
+                                                        bounceDimension(path.bounce, kBounceLightAlpha),
+                                                        passedMaterial(render.settings, step.path));
             count(taken, blocker);
             ++taken.shadowRays;
-            if (blocker.hit.triangleId == kNoTriangle) {
-                taken = afterShadow(taken, path.bounce, step.shadow.gain);
-            }
+            taken = afterShadow(taken, step.shadow.gain, ofLight);
         }
     }
     return taken;

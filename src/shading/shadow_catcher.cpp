@@ -5,6 +5,7 @@
 #include "metamarch/scene/choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -13,19 +14,11 @@ namespace {
 
 constexpr const char* kName = "shadow catcher";
 constexpr double kReach = 20.0; // in sizes of the scene; 1 / tan(3 degrees) is 19
-
-std::uint32_t findMaterial(const Scene& scene, const std::string& selection) {
-    std::vector<std::string> names;
-    for (const Material& material : scene.materials) {
-        names.push_back(material.name);
-    }
-    try {
-        return static_cast<std::uint32_t>(chooseIndex("material", names, selection, "scene"));
-    } catch (const Error& error) {
-        throw Error(error.kind, std::string(error.what()) + "; a plane is y=HEIGHT or auto",
-                    {"shadow-catcher"});
-    }
-}
+// How far the lowest plane lies below the scene, so that flat undersides are not in the same place: in sizes
+// of the scene, and in parts of the height, for scenes far from the origin. Rays leave the plane 0.9e-4 sizes
+// above it (SurfacePoint::lift).
+constexpr double kGap = 2.5e-4;
+constexpr double kGapOfHeight = 1e-6;
 
 // What objects see of the plane: the grey that Blender gives to new surfaces.
 std::uint32_t addGround(Scene& scene) {
@@ -38,11 +31,22 @@ std::uint32_t addGround(Scene& scene) {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
+// Returns the largest extent of what is above `height`.
+double sizeAbove(const Bounds& bounds, const double height) {
+    const glm::dvec3 size = glm::dvec3(bounds.hi) - glm::dvec3(bounds.lo);
+    return std::max({size.x, bounds.hi.y - height, size.z});
+}
+
+float heightUnder(const Bounds& bounds) {
+    const double lowest = bounds.lo.y;
+    const double gap = kGap * sizeAbove(bounds, lowest) + kGapOfHeight * std::abs(lowest);
+    return static_cast<float>(lowest - gap);
+}
+
 void addSquare(Scene& scene, const Bounds& bounds, const float height, const std::uint32_t material) {
     const glm::dvec3 lo = bounds.lo;
     const glm::dvec3 hi = bounds.hi;
-    const double above = std::max(hi.y - height, 0.0);
-    const double reach = kReach * std::max({hi.x - lo.x, above, hi.z - lo.z});
+    const double reach = kReach * sizeAbove(bounds, height);
     const auto place = [&](const double x, const double z) {
         constexpr double kFar = 1e30;
         return glm::vec3(glm::clamp(x, -kFar, kFar), height, glm::clamp(z, -kFar, kFar));
@@ -75,16 +79,29 @@ void addSquare(Scene& scene, const Bounds& bounds, const float height, const std
 
 } // namespace
 
+std::uint32_t catcherMaterial(const Scene& scene, const std::string& selection) {
+    std::vector<std::string> names;
+    for (const Material& material : scene.materials) {
+        names.push_back(material.name);
+    }
+    try {
+        return static_cast<std::uint32_t>(chooseIndex("material", names, selection, "scene"));
+    } catch (const Error& error) {
+        throw Error(error.kind, std::string(error.what()) + "; a plane is y=HEIGHT or auto",
+                    {"shadow-catcher"});
+    }
+}
+
 std::uint32_t placeCatcher(Scene& scene, const CatcherChoice& choice) {
-    if (choice.kind == CatcherChoice::Kind::material) {
-        return findMaterial(scene, choice.material);
+    if (!choice.isPlane()) {
+        return catcherMaterial(scene, choice.material);
     }
     Bounds bounds = boundsOf(scene);
     if (scene.triangles.empty()) {
         bounds = {glm::vec3(-0.5f, 0.0f, -0.5f), glm::vec3(0.5f, 1.0f, 0.5f)};
     }
     const std::uint32_t material = addGround(scene);
-    addSquare(scene, bounds, choice.kind == CatcherChoice::Kind::plane ? choice.height : bounds.lo.y,
+    addSquare(scene, bounds, choice.kind == CatcherChoice::Kind::plane ? choice.height : heightUnder(bounds),
               material);
     return material;
 }

@@ -7,7 +7,7 @@ import struct
 import subprocess
 import unittest
 
-from program import SCENES, ProgramTest, main, metamarch
+from program import SCENES, ProgramTest, main, metamarch, write_moving
 
 CORNELL = SCENES / "cornell.glb"
 MISS = 4294967295
@@ -71,27 +71,6 @@ def write_quads(file, quads):
         "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_specular"], "scenes": [{"nodes": [0, 1]}], "scene": 0,
         "bufferViews": views, "accessors": accessors,
         "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]}))
-
-
-def write_moving(file):
-    """Writes a square whose node goes by (3, 0.6, 0) in a second, and a camera that goes by (1.2, 0, 0): one unit of the square
-    is 6 pixels of 30 in its picture."""
-    points = struct.pack("<12f", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
-    keys = struct.pack("<2f", 0, 1) + struct.pack("<6f", 0, 0, 0, 3, 0.6, 0) + struct.pack("<6f", 0, 0, 5, 1.2, 0, 5)
-    accessors = [(0, 0, 4, "VEC3", 5126), (0, 48, 6, "SCALAR", 5123), (1, 0, 2, "SCALAR", 5126), (1, 8, 2, "VEC3", 5126),
-                 (1, 32, 2, "VEC3", 5126)]
-    animate = lambda node, output: {"name": f"of node {node}", "samplers": [{"input": 2, "output": output}],
-                                    "channels": [{"sampler": 0, "target": {"node": node, "path": "translation"}}]}
-    file.write_text(json.dumps({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0}, {"camera": 0}],
-        "cameras": [{"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.5), "znear": 0.1}}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}], "animations": [animate(0, 3), animate(1, 4)],
-        "accessors": [{"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component,
-                       "min": [0], "max": [1]} if kind == "SCALAR" and component == 5126 else
-                      {"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component}
-                      for view, offset, count, kind, component in accessors],
-        "bufferViews": [{"buffer": 0, "byteLength": len(points)}, {"buffer": 1, "byteLength": len(keys)}],
-        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()} for data in (points, keys)]}))
 
 
 BOX = [((-0.5, 1, -0.5), (0, 0, 1), (1, 0, 0), 0.6), ((-0.5, 0, 0.5), (1, 0, 0), (0, 1, 0), 0.6), ((0.5, 0, -0.5), (-1, 0, 0), (0, 1, 0), 0.6),
@@ -297,8 +276,9 @@ class ChannelsTest(ProgramTest):
         self.assertAlmostEqual(surplus / (WIDTH * HEIGHT), 0, delta=0.002)  # the box sees the end of the board
 
         more = ("--aov", "shadow,Z,id.material")
-        render("box", "--shadow-catcher", "auto", "--transparent", *more, name="auto.exr")
-        self.succeed("compare", "auto.exr", "box.exr", "--max-abs", "0")
+        for name, ground in (("auto.exr", "auto"), ("below.exr", "y=-0.00025")):  # of the size of the scene, 1
+            render("box", "--shadow-catcher", ground, "--transparent", *more, name=name)
+        self.succeed("compare", "auto.exr", "below.exr", "--max-abs", "0")
         for name, samples in (("a.part", "0:7"), ("b.part", "7:20")):
             self.succeed("render", "box.gltf", "-o", name, *SIZE, "--quiet", "--backend", "cpu", *words[2:], *catcher, "--aov", "shadow",
                          "--samples", samples)

@@ -4,10 +4,13 @@
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main().
 """
 import atexit
+import base64
 import json
+import math
 import os
 import re
 import select
+import struct
 import subprocess
 import sys
 import tempfile
@@ -97,6 +100,27 @@ def unshare(*options):
     """The end of the test, which is skipped, where this machine lets nobody have namespaces of their own."""
     if subprocess.run(["unshare", *options, "true"], capture_output=True, check=False).returncode != 0:
         raise unittest.SkipTest(f"unshare {' '.join(options)} is not permitted")
+
+
+def write_moving(file):
+    """Writes a square whose node goes by (3, 0.6, 0) in a second, and a camera that goes by (1.2, 0, 0): one unit of the square
+    is 6 pixels of 30 in its picture."""
+    points = struct.pack("<12f", -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0) + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    keys = struct.pack("<2f", 0, 1) + struct.pack("<6f", 0, 0, 0, 3, 0.6, 0) + struct.pack("<6f", 0, 0, 5, 1.2, 0, 5)
+    accessors = [(0, 0, 4, "VEC3", 5126), (0, 48, 6, "SCALAR", 5123), (1, 0, 2, "SCALAR", 5126), (1, 8, 2, "VEC3", 5126),
+                 (1, 32, 2, "VEC3", 5126)]
+    animate = lambda node, output: {"name": f"of node {node}", "samplers": [{"input": 2, "output": output}],
+                                    "channels": [{"sampler": 0, "target": {"node": node, "path": "translation"}}]}
+    file.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0}, {"camera": 0}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 2 * math.atan(0.5), "znear": 0.1}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}], "animations": [animate(0, 3), animate(1, 4)],
+        "accessors": [{"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component,
+                       "min": [0], "max": [1]} if kind == "SCALAR" and component == 5126 else
+                      {"bufferView": view, "byteOffset": offset, "count": count, "type": kind, "componentType": component}
+                      for view, offset, count, kind, component in accessors],
+        "bufferViews": [{"buffer": 0, "byteLength": len(points)}, {"buffer": 1, "byteLength": len(keys)}],
+        "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()} for data in (points, keys)]}))
 
 
 def as_nobody(test):

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The table of channels, and their values for a pixel of the film.
 #include "fixtures/expect_error.h"
+#include "metamarch/image/cryptomatte.h"
 #include "metamarch/image/film_image.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <regex>
 #include <set>
+#include <string>
 
 namespace metamarch {
 namespace {
@@ -99,6 +104,44 @@ TEST(Aov, hasANoisyTwinIfItIsDenoised) {
         const std::vector<std::string> noisy = {"noisy"};
         chooseAovs(noisy, AovWriter::pathTracer);
     });
+}
+
+// Blender reads LAYER.PASS.CHANNEL, where CHANNEL is one letter, what is before it may be missing, and the
+// name has fewer than 64 characters; the letters of a pass are R G B (A), X Y (Z), U V or one alone
+// (source/blender/imbuf/intern/openexr). Nuke reads LAYER.CHANNEL with letters, digits and underscores.
+TEST(Aov, namesFollowTheRulesOfBlenderAndNuke) {
+    const std::set<std::string> words = {"id.triangle", "id.mesh", "id.instance", "id.material",
+                                         "samples",     "steps",   "tests"}; // which Blender leaves out
+    std::map<std::string, std::string> lettersOfLayer;
+    const auto add = [&](const std::string& channel) {
+        EXPECT_TRUE(std::regex_match(channel, std::regex("([A-Za-z][A-Za-z0-9_]*\\.)*[A-Za-z]\\w*")))
+            << channel;
+        EXPECT_LT(channel.size(), 64u);
+        const std::size_t dot = channel.rfind('.');
+        const std::string letter = channel.substr(dot == std::string::npos ? 0 : dot + 1);
+        EXPECT_EQ(letter.size() == 1, !words.contains(channel)) << channel;
+        if (letter.size() == 1) {
+            lettersOfLayer[dot == std::string::npos ? "" : channel.substr(0, dot)] += letter;
+        }
+    };
+    for (const Aov& aov : aovs()) {
+        if (!aov.isCryptomatte()) {
+            std::ranges::for_each(aov.channels(), add);
+        }
+    }
+    FilmData film(1, kFilmHits);
+    Image mattes(1, 1, {});
+    addCryptomatte({"CryptoObject", {}}, film, mattes);
+    std::ranges::for_each(mattes.channels, add);
+    for (const auto& [layer, letters] : lettersOfLayer) {
+        const std::set<std::string> known = {"RGB", "RGBA", "XYZ", "XY", "UV"};
+        EXPECT_TRUE(layer.empty() ? letters == "RGBAZt" : known.contains(letters))
+            << layer << ": " << letters;
+    }
+    for (const char* const vector : {"N", "Ns", "P"}) {
+        EXPECT_EQ(lettersOfLayer[vector], "XYZ");
+    }
+    EXPECT_EQ(lettersOfLayer["CryptoObject02"], "RGBA");
 }
 
 TEST(Aov, isChosenByName) {
@@ -218,11 +261,12 @@ TEST(Aov, laysShadowOverWhatIsBehindIt) {
     const float left = 0.5f * (0.2126f + 0.7152f) + 1.5f * 0.0722f;
     EXPECT_NEAR(valueOf(image, "A"), (1.0f + 3.0f * (1.0f - left)) / 4.0f, 1e-6f);
 
-    // A ground without light has no shadow, and a brighter one does not uncover anything.
+    // A ground without light has no shadow. Over what is laid under it, a brighter one is as much brighter.
     EXPECT_EQ(valueOf(imageOf(pixel, caughtLight(glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f))), "A"),
               0.25f);
-    EXPECT_EQ(valueOf(imageOf(pixel, caughtLight(glm::vec3(3.0f), glm::vec3(1.0f), glm::vec3(0.0f))), "A"),
-              0.25f);
+    FilmPixel ground = addSample(emptyPixel(), glm::vec3(0.0f), missFirst());
+    EXPECT_NEAR(valueOf(imageOf(ground, caughtLight(glm::vec3(3.0f), glm::vec3(2.0f), glm::vec3(0.0f))), "A"),
+                -0.5f, 1e-6f);
 }
 
 TEST(Aov, isANumberBeforeTheFirstSample) {

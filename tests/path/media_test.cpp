@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Volumes within volumes: which medium the light is in (Beer and Lambert), and how it is bent and reflected
 // between two of them (Snell, Fresnel).
+#include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/reference/path.h"
 #include "metamarch/shared/media.h"
 #include "path/path_scene.h"
 
@@ -50,6 +52,31 @@ void expectColor(PathScene made, const glm::dvec3 expected, const float eye = 3.
 
 glm::dvec3 after(const glm::vec3 color, const double distance) {
     return glm::pow(glm::dvec3(color), glm::dvec3(distance));
+}
+
+// A lamp behind the surface of a volume that another one fills is seen directly: nothing has scattered its
+// light, and its luminance has no limit.
+TEST(Media, LampBehindAFilledSurfaceIsSeenDirectly) {
+    PathScene made;
+    const std::uint32_t first = addMaterial(made.scene, glass(1.5f, 0.0f));
+    const std::uint32_t last = addMaterial(made.scene, glass(1.3f, 0.0f));
+    addSlab(made, -5.0f, 1.0f, first);
+    addSlab(made, -5.0f, 5.0f, last, 2.0f);
+    addQuad(made.scene, {-1, -1, -2}, {2, 0, 0}, {0, 2, 0},
+            addMaterial(made.scene, emitter(glm::vec3(7.0f))));
+    made.view = lookAt({0, 0, 0}, {0, 0, -2}, {0, 1, 0});
+    made.view.verticalFov = 0.2f;
+    const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
+    const ShadingScene shading = shadingOf(made);
+    PathSettings settings = settingsOf(shading, {.clampLuminance = 1.0f});
+    settings.eyeMedia = {mediumOf(last), mediumOf(first), kNoMedium, kNoMedium};
+    const FilmData film = renderPathsOnCpu(structure, shading, settings, makeCamera(made.view, 4, 4, {}), 2,
+                                           {.parts = kFilmLight});
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+        EXPECT_EQ(film.pixels[i].rays, 4u); // two of each sample
+        EXPECT_EQ(film.light[i].emission, glm::vec3(14.0f));
+        EXPECT_EQ(film.light[i].direct, glm::vec3(0.0f));
+    }
 }
 
 TEST(Media, OuterVolumeIsBackBehindAnInnerOne) {

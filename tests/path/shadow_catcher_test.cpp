@@ -96,6 +96,68 @@ TEST(ShadowCatcher, takesShadowOfEachColour) {
     EXPECT_NEAR(left.b, 1.0 - kHiddenSky, kNoise);
 }
 
+// A square lamp that hides the sky as underSquare() does, and does not reflect, if it is not white.
+void addSquareLamp(Scene& scene, const float height, Material lamp) {
+    lamp.emissiveFactor = glm::vec3(3.0f);
+    addQuad(scene, {-height, height, -height}, {2 * height, 0, 0}, {0, 0, 2 * height},
+            addMaterial(scene, lamp));
+}
+
+// The body of a lamp is there with and without the objects, so it takes no light from the ground. Behind a
+// black square it is what is missing, and not the sky that it hides.
+TEST(ShadowCatcher, lampsAreNoObjects) {
+    PathScene made = underSquare();
+    addSquareLamp(made.scene, 2.0f, lambert(glm::vec3(0.0f)));
+    addCatcher(made);
+    made.surroundings.background = glm::vec3(2.0f);
+    const Caught caught = caughtBy(made, kWork);
+    const double sky = 2.0 * (1.0 - kHiddenSky);
+    EXPECT_NEAR(caught.reached.g / caught.samples, sky, 2.0 * kNoise);
+    EXPECT_NEAR(caught.unblocked.g / caught.samples, sky + 3.0 * kHiddenSky, 3.0 * kNoise);
+}
+
+// Nothing else than a lamp, which also reflects, and which hides one light: no sample has any shadow.
+TEST(ShadowCatcher, groundWithoutObjectsIsTransparent) {
+    PathScene made;
+    addSquareLamp(made.scene, 1.0f, lambert(glm::vec3(0.8f)));
+    addCatcher(made);
+    addPointLight(made.scene, {0.1f, 3.0f, 0.0f}, 50.0f);
+    addPointLight(made.scene, {4.0f, 3.0f, 0.0f}, 50.0f);
+    made.surroundings.background = glm::vec3(0.5f);
+    made.view = lookAt({0, 0.9f, 0}, {0, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1.0f;
+    float reached = 0.0f;
+    for (const LightParts& light : filmOf(made, {.samples = 3}).light) {
+        EXPECT_EQ(light.caught, 3.0f);
+        EXPECT_EQ(light.reached, light.unblocked);
+        reached += light.reached.g;
+    }
+    EXPECT_GT(reached, 0.5f * kSide * kSide * 3);
+}
+
+// The dark half of an emissive texture is an object, and so is an unlit surface.
+TEST(ShadowCatcher, whatHardlyShinesIsAnObject) {
+    PathScene made;
+    Material half = lambert(glm::vec3(0.0f));
+    half.emissiveTexture.texture =
+        addTexture(made.scene, 2, {glm::u8vec4(255), glm::u8vec4(9, 9, 9, 255)}, TextureFilter::nearest);
+    addSquareLamp(made.scene, 1.0f, half);
+    PathScene card = underSquare();
+    card.scene.materials[0] = unlit(glm::vec3(0.25f));
+    made.view = card.view;
+    for (PathScene* const scene : {&made, &card}) {
+        scene->surroundings.background = glm::vec3(1.0f);
+        addCatcher(*scene);
+    }
+    const Caught caught = caughtBy(made, kWork);
+    const double shining = 3.0 * kHiddenSky / 2.0;
+    EXPECT_NEAR(caught.reached.g / caught.samples, shining + 1.0 - kHiddenSky, 2.0 * kNoise);
+    EXPECT_NEAR(caught.unblocked.g / caught.samples, shining + 1.0 - kHiddenSky / 2.0, 2.0 * kNoise);
+    const Caught ofCard = caughtBy(card, kWork);
+    EXPECT_NEAR(ofCard.reached.g / ofCard.samples, 1.0 - 0.75 * kHiddenSky, kNoise);
+    EXPECT_NEAR(ofCard.unblocked.g / ofCard.samples, 1.0, 1e-4);
+}
+
 // A lamp, a sun and a map: everything that light sampling and BSDF sampling find together.
 PathScene litByAll(const bool hasObject) {
     PathScene made;
@@ -167,6 +229,22 @@ TEST(ShadowCatcher, doesNotShadowItself) {
     EXPECT_EQ(caught.reached, caught.unblocked);
 }
 
+// Every shadow ray to the light, which is below a table, passes the table.
+TEST(ShadowCatcher, doesNotShadowItselfFromLights) {
+    PathScene made;
+    made.scene.materials.push_back(lambert(glm::vec3(0.3f)));
+    made.scene.materials.back().name = "paper";
+    addQuad(made.scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    addQuad(made.scene, {-1, 1, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    addCatcher(made, {CatcherChoice::Kind::material, 0.0f, "paper"});
+    addPointLight(made.scene, {0, 2, 0}, std::numbers::pi_v<float>);
+    made.view = lookAt({0, 0.5f, 0}, {0, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1e-3f;
+    const Caught caught = caughtBy(made, {.samples = 16, .maxBounces = 0});
+    EXPECT_NEAR(caught.reached.g / caught.samples, 0.25, 1e-4); // albedo 1, light at distance 2
+    EXPECT_EQ(caught.reached, caught.unblocked);
+}
+
 // The camera sees objects as a plain render of the same surfaces shows them, because only its own rays know a
 // catcher. What it sees of the catcher is a miss.
 TEST(ShadowCatcher, changesNothingElse) {
@@ -196,6 +274,29 @@ TEST(ShadowCatcher, changesNothingElse) {
     EXPECT_GT(misses, 5);
 }
 
+// The lowest plane is not in the place of a flat underside, near the origin and far from it, and is so near
+// that the ground beside a black wall sees half of the sky.
+TEST(ShadowCatcher, lowestPlaneTouchesFlatUndersides) {
+    for (const float height : {0.0f, -2.0f, 3e4f}) {
+        PathScene made;
+        addQuad(made.scene, {-1, height, -1}, {0, 0, 2}, {2, 0, 0},
+                addMaterial(made.scene, lambert(glm::vec3(0.5f))));
+        addCatcher(made, {CatcherChoice::Kind::lowest});
+        made.view = lookAt({0.3f, height + 3.0f, 0.4f}, {0, height, 0}, {1, 0, 0});
+        made.view.verticalFov = 0.4f;
+        EXPECT_EQ(caughtBy(made, {.samples = 4, .maxBounces = 0}).samples, 0.0);
+    }
+    PathScene made;
+    addBox(made.scene, {-1, 0, -1}, {1, 2, 1}, addMaterial(made.scene, lambert(glm::vec3(0.0f))));
+    addCatcher(made, {CatcherChoice::Kind::lowest});
+    made.surroundings.background = glm::vec3(1.0f);
+    made.view = lookAt({1.02f, 1.0f, 0}, {1.02f, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1e-3f;
+    const Caught caught = caughtBy(made, kWork);
+    EXPECT_EQ(caught.samples, kSide * kSide * kWork.samples);
+    EXPECT_NEAR(caught.left().g, 0.5 * (1.0 + 0.02 / std::hypot(0.02, 1.0)), kNoise);
+}
+
 TEST(ShadowCatcher, planeLiesUnderTheScene) {
     PathScene made;
     addBox(made.scene, {1, -2, 3}, {2, 5, 4}, addMaterial(made.scene, lambert(glm::vec3(0.5f))));
@@ -207,12 +308,18 @@ TEST(ShadowCatcher, planeLiesUnderTheScene) {
     EXPECT_EQ(scene.triangleMesh.back(), scene.meshes.size() - 1);
     EXPECT_EQ(scene.positions.size(), scene.normals.size());
     const Bounds bounds = boundsOf(scene);
-    EXPECT_EQ(bounds.lo, glm::vec3(1 - 140, -2, 3 - 140));
-    EXPECT_EQ(bounds.hi, glm::vec3(2 + 140, 5, 4 + 140));
+    const float height = -2.0f - 7.0f * 2.5e-4f - 2e-6f;
+    const float reach = 20.0f * (5.0f - height);
+    EXPECT_NEAR(bounds.lo.y, height, 1e-6f);
+    for (const int axis : {0, 2}) {
+        EXPECT_NEAR(bounds.lo[axis], made.scene.positions[0][axis] - reach, 1.01f);
+        EXPECT_NEAR(bounds.hi[axis] - bounds.lo[axis], 1.0f + 2.0f * reach, 1e-4f);
+    }
+    EXPECT_EQ(bounds.hi.y, 5.0f);
     for (std::size_t i = scene.triangles.size() - 2; i < scene.triangles.size(); ++i) {
         const glm::uvec3 corners = scene.triangles[i];
         const glm::vec3 a = scene.positions[corners.x];
-        EXPECT_EQ(a.y, -2.0f);
+        EXPECT_EQ(a.y, bounds.lo.y);
         EXPECT_GT(glm::cross(scene.positions[corners.y] - a, scene.positions[corners.z] - a).y, 0.0f);
     }
 
