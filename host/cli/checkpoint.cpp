@@ -30,21 +30,21 @@ bool isRunOf(const render::FilmRun& run, const render::SampleRange range, const 
     std::uint32_t next = range.first;
     for (const render::FilmSpan& span : run.spans) {
         const bool isLast = &span == &run.spans.back();
-        const std::uint32_t count = span.film.samples();
+        const std::uint32_t count = span.film->samples();
         const bool isWhole =
             range.first > 0 ? count >= 1 && count <= kBlockSamples : count % kBlockSamples == 0;
         if (span.firstSample != next ||
-            (!isLast && !(isWhole && (isAdaptive || hasSamples(span.film, count))))) {
+            (!isLast && !(isWhole && (isAdaptive || hasSamples(*span.film, count))))) {
             return false;
         }
         next += count;
     }
     return !run.spans.empty() && (range.first > 0 || run.spans.size() <= 2) &&
-           std::ranges::all_of(run.spans.back().film.pixels,
+           std::ranges::all_of(run.spans.back().film->pixels,
                                [](const FilmPixel& pixel) { return pixel.samples <= kBlockSamples; });
 }
 
-std::uint32_t mostSamples(const render::FilmSpan& span) { return span.firstSample + span.film.samples(); }
+std::uint32_t mostSamples(const render::FilmSpan& span) { return span.firstSample + span.film->samples(); }
 
 } // namespace
 

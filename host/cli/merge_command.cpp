@@ -35,7 +35,7 @@ struct Piece {
     const render::FilmSpan* span;
     const render::FilmRun* run; // of the span
 
-    std::uint32_t endSample() const { return span->firstSample + span->film.samples(); }
+    std::uint32_t endSample() const { return span->firstSample + span->film->samples(); }
 };
 
 [[noreturn]] void refuseOtherChannels(const std::string& a, const std::string& b) {
@@ -49,7 +49,7 @@ std::vector<Piece> piecesOf(const std::vector<std::string>& names,
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (const render::FilmRun& run : files[i].runs) {
             for (const render::FilmSpan& span : run.spans) {
-                if (!pieces.empty() && span.film.parts() != pieces.front().span->film.parts()) {
+                if (!pieces.empty() && span.film->parts() != pieces.front().span->film->parts()) {
                     refuseOtherChannels(pieces.front().file, names[i]);
                 }
                 pieces.push_back({names[i], run.area, &span, &run});
@@ -95,7 +95,7 @@ void requireCovered(const std::vector<Piece>& pieces, const PixelRect& picture) 
     std::set<std::uint32_t> columns{0};
     std::set<std::uint32_t> rows{0};
     for (const Piece& piece : pieces) {
-        if (piece.span->firstSample == 0 && piece.span->film.samples() > 0) {
+        if (piece.span->firstSample == 0 && piece.span->film->samples() > 0) {
             areas.push_back(piece.area);
             covered += piece.area.pixelCount();
             columns.insert(piece.area.right);
@@ -120,7 +120,7 @@ void requireCovered(const std::vector<Piece>& pieces, const PixelRect& picture) 
 // Throws Error(inputRefused) where samples are missing.
 std::pair<FilmData, std::uint32_t> sumOf(const std::vector<Piece>& pieces, const PixelRect& picture) {
     requireCovered(pieces, picture);
-    render::FilmSum sum(picture, pieces.empty() ? 0 : pieces.front().span->film.parts());
+    render::FilmSum sum(picture, pieces.empty() ? 0 : pieces.front().span->film->parts());
     std::uint32_t most = 1;
     for (const Piece& piece : pieces) {
         if (!sum.add(piece.area, *piece.span)) {

@@ -76,8 +76,8 @@ Json described(const FilmFile& file, const std::span<const FilmRun> films) {
         Json spans = Json::array();
         for (const FilmSpan& span : run.spans) {
             spans.push_back({{"firstSample", span.firstSample},
-                             {"light", !span.film.light.empty()},
-                             {"hitWords", hitWordsOf(span.film).size()}});
+                             {"light", !span.film->light.empty()},
+                             {"hitWords", hitWordsOf(*span.film).size()}});
         }
         runs.push_back({{"area", {run.area.left, run.area.top, run.area.right, run.area.bottom}},
                         {"spans", std::move(spans)},
@@ -177,8 +177,10 @@ class Reader {
                         file_.refuse("is cut off or damaged");
                     }
                     bytesLeft -= run.area.pixelCount() * pixelBytes + hitWords * sizeof(std::uint32_t);
-                    readFilm(run.area.pixelCount(), hasLight, hitWords, run.spans[j].film);
-                    requireGroups(run.spans[j].film, film);
+                    FilmData sums;
+                    readFilm(run.area.pixelCount(), hasLight, hitWords, sums);
+                    requireGroups(sums, film);
+                    run.spans[j] = {run.spans[j].firstSample, std::move(sums)};
                 }
                 if (json["runs"][i].at("seen").get<bool>()) {
                     if (run.area.pixelCount() > bytesLeft / sizeof(SeenPoint)) {
@@ -261,9 +263,9 @@ FilmFileBytes::FilmFileBytes(const FilmFile& file, const std::span<const FilmRun
     pieces_.emplace_back(); // the head, once it is there
     for (const FilmRun& run : runs) {
         for (const FilmSpan& span : run.spans) {
-            hitWords_.push_back(hitWordsOf(span.film));
+            hitWords_.push_back(hitWordsOf(*span.film));
             for (const auto bytes :
-                 {std::as_bytes(std::span(span.film.pixels)), std::as_bytes(std::span(span.film.light)),
+                 {std::as_bytes(std::span(span.film->pixels)), std::as_bytes(std::span(span.film->light)),
                   std::as_bytes(std::span(std::as_const(hitWords_).back()))}) {
                 hash.add(bytes);
                 preamble.filmBytes += bytes.size();

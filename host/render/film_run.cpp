@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/film_run.h"
 
-#include <utility>
-
 namespace metamarch::render {
 namespace {
 
@@ -48,10 +46,10 @@ bool FilmSum::addPixelOf(const std::size_t pixel, const std::uint32_t firstSampl
 }
 
 bool FilmSum::add(const PixelRect& rect, const FilmSpan& span) {
-    for (failed_ = 0; failed_ < span.film.pixels.size(); ++failed_) {
+    for (failed_ = 0; failed_ < span.film->pixels.size(); ++failed_) {
         const std::size_t x = rect.left - area_.left + failed_ % rect.width();
         const std::size_t y = rect.top - area_.top + failed_ / rect.width();
-        if (!addPixelOf(y * area_.width() + x, span.firstSample, span.film, failed_)) {
+        if (!addPixelOf(y * area_.width() + x, span.firstSample, *span.film, failed_)) {
             return false;
         }
     }

@@ -7,15 +7,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace metamarch::render {
 
 // Sums of the samples firstSample, firstSample + 1, ... of each pixel of an area. The pixels themselves say
-// how many samples they have.
+// how many samples they have. Copies share the film: a picture's sums may not fit into memory twice.
 struct FilmSpan {
-    std::uint32_t firstSample = 0;
-    FilmData film;
+    FilmSpan(const std::uint32_t first, FilmData sums)
+        : firstSample(first), film(std::make_shared<const FilmData>(std::move(sums))) {}
+
+    std::uint32_t firstSample;
+    std::shared_ptr<const FilmData> film; // never null
 };
 
 // Spans of one area, by their first samples. Which sums a span may hold follows from the order in which the

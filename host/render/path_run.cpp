@@ -36,17 +36,17 @@ PathRun::PathRun(PathSampler& sampler, const PathWork& work, const SampleRange r
         throw std::invalid_argument("PathRun: the start covers another area");
     }
     for (const FilmSpan& span : control.start.spans) {
-        for (const FilmPixel& pixel : span.film.pixels) {
+        for (const FilmPixel& pixel : span.film->pixels) {
             startSamples_ += pixel.samples;
         }
     }
     // The last span is the block that a pass was at.
     complete_ = control.start.spans;
     PathSums sums = noSums(work, complete_.back().firstSample);
-    sums.block = std::move(complete_.back().film);
+    sums.block = *complete_.back().film;
     complete_.pop_back();
     if (range.first == 0 && !complete_.empty()) {
-        sums.earlier = std::move(complete_.front().film);
+        sums.earlier = *complete_.front().film;
         complete_.clear();
     }
     spanFirst_ = sums.blockFirst;

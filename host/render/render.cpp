@@ -47,9 +47,9 @@ std::vector<FilmPixel> cropped(const std::vector<FilmPixel>& film, const std::ui
 
 // The sums over all spans.
 FilmData sumOf(const FilmRun& run) {
-    FilmData film = run.spans.front().film;
+    FilmData film = *run.spans.front().film;
     for (std::size_t i = 1; i < run.spans.size(); ++i) {
-        addBlock(film, run.spans[i].film);
+        addBlock(film, *run.spans[i].film);
     }
     return film;
 }
@@ -100,12 +100,12 @@ class Render {
     }
 
     // What was taken before a failure of the device is kept. A device that is lost gives nothing back: then
-    // the sums that were shown last are.
+    // the sums that were shown last are, or those that the render went on from.
     void drawPaths(PathSampler& sampler, const PathWork& work) {
         PathRun run(sampler, work, {settings_.firstSample, settings_.samplesPerPixel}, control_,
                     settings_.adaptive);
-        FilmRun shown;
-        std::uint32_t shownNext = settings_.firstSample;
+        FilmRun shown = control_.start;
+        std::uint32_t shownNext = settings_.firstSample + run.samples();
         try {
             const auto show = [&](const RenderProgress& progress) {
                 shown = run.sums();
@@ -156,8 +156,9 @@ class Render {
             return std::ranges::all_of(hits, [&](const HitCount& hit) { return hit.group < groups; });
         };
         for (const FilmSpan& span : control_.start.spans) {
-            if (span.film.parts() != request_.parts || !std::ranges::all_of(span.film.pixels, isOfScene) ||
-                !std::ranges::all_of(span.film.hits, isOfGroups)) {
+            const FilmData& film = *span.film;
+            if (film.parts() != request_.parts || !std::ranges::all_of(film.pixels, isOfScene) ||
+                !std::ranges::all_of(film.hits, isOfGroups)) {
                 throw Error(ErrorKind::inputRefused, "the sums to go on from are of another scene",
                             {"resume"});
             }
@@ -191,26 +192,24 @@ class Render {
     double resumedSamples() const {
         double samples = 0.0;
         for (const FilmSpan& span : control_.start.spans) {
-            samples += countOf(span.film.pixels).samples;
+            samples += countOf(span.film->pixels).samples;
         }
         return samples;
     }
 
-    // Borrows the sums: large pictures have no memory for two of them.
-    void showPicture(const RenderProgress& progress, FilmRun& sums) {
+    void showPicture(const RenderProgress& progress, const FilmRun& sums) {
         if (!control_.onShow) {
             return;
         }
         RenderResult picture = result_;
         picture.isCancelled = !progress.isPassEnd || progress.nextSample < progress.endSample;
         picture.film = sumOf(sums);
-        picture.sums = std::move(sums);
+        picture.sums = sums;
         picture.settings.samplesPerPixel = progress.nextSample;
         picture.seconds.render = stopwatch_.seconds();
         lookAtFilm(picture);
         keepSeen(picture);
         control_.onShow(progress, picture);
-        sums = std::move(picture.sums);
     }
 
     const PreparedScene& scene_;

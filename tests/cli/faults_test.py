@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Devices that are worse than lavapipe, by the layer tests/vulkan/fault_layer: a command works, or one line says why not."""
 import os
+import re
 import subprocess
 
 from program import SCENES, ProgramTest, main, metamarch
@@ -21,6 +22,10 @@ class FaultsTest(ProgramTest):
 
     def render(self, faults, name, *words):
         return self.run_with(faults, "render", CORNELL, "-o", name, *SMALL, *(words or SAMPLES))
+
+    def options_of(self, name):
+        import OpenImageIO
+        return OpenImageIO.ImageInput.open(str(self.tmp / name)).spec().getattribute("metamarch/options")
 
     def plain(self):
         self.succeed("render", CORNELL, "-o", "plain.exr", *SMALL, *SAMPLES)
@@ -53,13 +58,17 @@ class FaultsTest(ProgramTest):
                 self.assertFalse((self.tmp / "a.exr").exists())
 
     def test_a_lost_device(self):
-        """Before the first result there is no picture; after it, what was finished is written."""
+        """Before the first result there is no picture; after it, what was finished is written, and the header says how much."""
         for at, samples, is_written in ((1, 2, False), (9, 2, False), (90, 4096, True)):
             with self.subTest(at=at):
-                done = self.render(f"lostAt={at}", "a.exr", "--spp", str(samples), "--write-every", "0.001")
+                done = self.render(f"lostAt={at}", "a.exr", "--spp", str(samples), "--write-every", "0.001",
+                                   "--aov", "samples")
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (NO_DEVICE, 1), done.stderr)
                 self.assertIn("DeviceLost", done.stderr)
                 self.assertEqual((self.tmp / "a.exr").exists(), is_written)
+                if is_written:
+                    claimed = re.search(r"--spp (\d+)", self.options_of("a.exr"))
+                    self.assertEqual(min(min(row) for row in self.read_picture("a.exr")["samples"]), int(claimed[1]) if claimed else 64)
 
     def test_memory_that_runs_out(self):
         for at in (1, 6, 30):

@@ -158,7 +158,7 @@ TEST(PathRun, goesOnFromWhereItWasStopped) {
             ASSERT_EQ(continued.spans.size(), whole.spans.size());
             for (std::size_t i = 0; i < whole.spans.size(); ++i) {
                 EXPECT_EQ(continued.spans[i].firstSample, whole.spans[i].firstSample);
-                expectSame(continued.spans[i].film, whole.spans[i].film);
+                expectSame(*continued.spans[i].film, *whole.spans[i].film);
             }
         }
     }
@@ -193,7 +193,7 @@ TEST(FilmFile, keepsEveryBit) {
         ASSERT_EQ(read.runs[i].spans.size(), runs[i].spans.size());
         for (std::size_t j = 0; j < runs[i].spans.size(); ++j) {
             EXPECT_EQ(read.runs[i].spans[j].firstSample, runs[i].spans[j].firstSample);
-            expectSame(read.runs[i].spans[j].film, runs[i].spans[j].film);
+            expectSame(*read.runs[i].spans[j].film, *runs[i].spans[j].film);
         }
     }
     EXPECT_EQ(render::differingFact(file.facts, read.facts), std::nullopt);
@@ -204,12 +204,15 @@ TEST(FilmFile, keepsEveryBit) {
 
 TEST(FilmFile, groupsHaveNames) {
     const TemporaryFolder folder;
-    FilmRun run{kArea, {{0, FilmData(kArea.pixelCount(), kFilmHits)}}};
+    FilmData film(kArea.pixelCount(), kFilmHits);
+    FilmRun run{kArea, {}};
     const render::FilmFile file{{}, "", 3, 2, {{"CryptoObject", {"a", "b"}}}, {}};
-    run.spans.front().film.addHit(5, 1);
+    film.addHit(5, 1);
+    run.spans = {{0, film}};
     render::writeFilmFile(file, {&run, 1}, folder / "a.part");
     EXPECT_EQ(render::readFilmFile(folder / "a.part").runs.size(), 1u);
-    run.spans.front().film.addHit(5, 2);
+    film.addHit(5, 2);
+    run.spans = {{0, film}};
     render::writeFilmFile(file, {&run, 1}, folder / "b.part");
     expectError(ErrorKind::inputRefused, "damaged", [&] { render::readFilmFile(folder / "b.part"); });
 }
@@ -467,6 +470,20 @@ TEST(FilmFile, damageIsRefused) {
     expectError(ErrorKind::inputRefused, "damaged", [&] { render::readFilmFile(folder / "b"); });
 }
 
+// Each pass of such a range has a film of its own. A checkpoint each minute must not copy them all.
+TEST(PathRun, sumsShareTheFilmsOfWholePasses) {
+    NumberSampler sampler;
+    const RenderControl control;
+    PathRun run(sampler, work(), {16, 80}, control);
+    run.take([](const RenderProgress&) {});
+    const FilmRun first = run.sums();
+    const FilmRun second = run.sums();
+    ASSERT_EQ(first.spans.size(), 4u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(first.spans[i].film, second.spans[i].film);
+    }
+}
+
 TEST(FilmSum, refusesWhatDoesNotFollow) {
     FilmSum sum(kArea, kFilmLight);
     EXPECT_FALSE(sum.add(kArea, runOf({16, 32}).spans.front())); // a gap
@@ -476,11 +493,11 @@ TEST(FilmSum, refusesWhatDoesNotFollow) {
     // Samples 4 to 8 added up do not fit behind samples 0 to 4: float sums are no longer those of a block.
     FilmSum begun(kArea, kFilmLight);
     EXPECT_TRUE(begun.add(kArea, runOf({0, 4}).spans.front()));
-    FilmSpan joined{4, FilmData(kArea.pixelCount(), kFilmLight)};
+    FilmData joined(kArea.pixelCount(), kFilmLight);
     for (const FilmSpan& span : runOf({4, 8}).spans) {
-        addBlock(joined.film, span.film);
+        addBlock(joined, *span.film);
     }
-    EXPECT_FALSE(begun.add(kArea, joined));
+    EXPECT_FALSE(begun.add(kArea, {4, joined}));
 }
 
 TEST(Noise, isTheStandardErrorRelativeToTheMean) {
