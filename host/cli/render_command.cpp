@@ -4,6 +4,7 @@
 #include "metamarch/cli/checkpoint.h"
 #include "metamarch/cli/commands.h"
 #include "metamarch/cli/film_facts.h"
+#include "metamarch/cli/next_frame.h"
 #include "metamarch/cli/process.h"
 #include "metamarch/cli/render_options.h"
 #include "metamarch/cli/render_report.h"
@@ -72,7 +73,6 @@ class RenderJob {
     void openDevice();
     void openCheckpoint();
     void loadScene();
-    void loadNextFrame();
     void render();
     void write(const render::RenderResult& result);
     void writeWhileRunning(const render::RenderResult& result);
@@ -137,7 +137,10 @@ void RenderJob::loadScene() {
     sceneCamera_ = chooseCamera(*scene_, options_.view, size.x / size.y);
     camera_ = makeCamera(sceneCamera_, options_.size.x, options_.size.y, options_.view.lens);
     if (hasMotion(options_)) {
-        loadNextFrame();
+        settings_.next = nextFrame(options_, *scene_, sceneCamera_, [&](const ImportOptions& later) {
+            return std::make_shared<const Scene>(metamarch::loadScene(options_.scenePath, later));
+        });
+        log_.end("scene of the next frame");
     }
     if (options_.catcher.isOn()) { // after the camera, which frames the objects
         settings_.path.catcher = placeCatcher(*scene, options_.catcher);
@@ -156,19 +159,6 @@ void RenderJob::loadScene() {
         onDevice_.emplace(*device_, *prepared_);
         log_.end("scene on the device");
     }
-}
-
-// A camera of the file moves as its animations say; any other stands still.
-void RenderJob::loadNextFrame() {
-    ImportOptions later = options_.import;
-    later.time = *later.time + 1.0 / options_.frameRate;
-    const auto next = std::make_shared<const Scene>(metamarch::loadScene(options_.scenePath, later));
-    render::checkNextFrame(*scene_, *next);
-    const glm::vec2 size(options_.size);
-    const bool isOfFile = !options_.view.eye && !next->cameras.empty();
-    const SceneCamera camera = isOfFile ? chooseCamera(*next, options_.view, size.x / size.y) : sceneCamera_;
-    settings_.next = {next, makeCamera(camera, options_.size.x, options_.size.y, options_.view.lens)};
-    log_.end("scene of the next frame");
 }
 
 void RenderJob::write(const render::RenderResult& result) {

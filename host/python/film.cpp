@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/python/film.h"
 
+#include "metamarch/cli/next_frame.h"
 #include "metamarch/cli/output_check.h"
 #include "metamarch/cli/rendered_picture.h"
 #include "metamarch/error/error.h"
@@ -89,7 +90,7 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
     choice.take(scene->words());
     choice.take(words);
     choice.check();
-    const render::RenderSettings settings = cli::settingsOf(choice.options);
+    render::RenderSettings settings = cli::settingsOf(choice.options);
     // Before the long work: the library may not be installed.
     auto denoiser = choice.options.isDenoised ? std::make_unique<const Denoiser>() : nullptr;
     const std::shared_ptr<OpenDevice> device = deviceFor(choice, words);
@@ -111,7 +112,11 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
         control.start = before->takeSums();
     }
 
-    const render::PreparedScene lit = scene->lit(options);
+    if (cli::hasMotion(options)) {
+        settings.next = cli::nextFrame(options, scene->scene(), sceneCamera,
+                                       [&](const ImportOptions& later) { return scene->at(later); });
+    }
+    const render::PreparedScene lit = scene->lit(options, settings.path);
     render::RenderResult result;
     if (device) {
         const std::scoped_lock lock(device->inUse);

@@ -3,6 +3,7 @@
 
 #include "metamarch/scene/file_digest.h"
 #include "metamarch/scene/import.h"
+#include "metamarch/shading/shadow_catcher.h"
 
 #include <utility>
 
@@ -21,43 +22,74 @@ ImportOptions importOptions(const Words& words) {
 LoadedScene::LoadedScene(const std::string& path, Words words)
     : words_(std::move(words)), path_(path), name_(path) {
     beginWork();
-    scene_ = std::make_shared<const Scene>(loadScene(path, importOptions(words_)));
+    scene_ = std::make_shared<const Scene>(read(importOptions(words_)));
     sha1_ = sha1Of(path);
 }
 
 LoadedScene::LoadedScene(const std::string& name, std::vector<unsigned char> glb, Words words)
-    : words_(std::move(words)), path_("-"), name_(name) {
+    : words_(std::move(words)), path_("-"), name_(name), glb_(std::move(glb)) {
     beginWork();
-    scene_ = std::make_shared<const Scene>(loadGlb(name, std::move(glb), importOptions(words_)));
+    scene_ = std::make_shared<const Scene>(read(importOptions(words_)));
 }
 
-render::PreparedScene LoadedScene::preparedLocked() {
-    if (!prepared_) {
+Scene LoadedScene::read(const ImportOptions& import) const {
+    return glb_ ? loadGlb(name_, *glb_, import) : loadScene(path_, import);
+}
+
+std::shared_ptr<const Scene> LoadedScene::at(const ImportOptions& import) {
+    const std::scoped_lock lock(mutex_);
+    if (!later_ || laterTime_ != import.time) {
+        later_ = std::make_shared<const Scene>(read(import));
+        laterTime_ = import.time;
+    }
+    return later_;
+}
+
+LoadedScene::Prepared& LoadedScene::preparedLocked() {
+    if (!prepared_.scene) {
         Choice choice;
         choice.take(words_);
-        prepared_.emplace(scene_, choice.options.structure);
+        prepared_.scene.emplace(scene_, choice.options.structure);
     }
-    return *prepared_;
+    return prepared_;
+}
+
+LoadedScene::Prepared& LoadedScene::groundedLocked(const CatcherChoice& choice) {
+    if (!grounded_.scene || !(groundChoice_ == choice)) {
+        grounded_ = {};
+        Choice structure;
+        structure.take(words_);
+        const auto scene = std::make_shared<Scene>(*scene_);
+        ground_ = placeCatcher(*scene, choice);
+        grounded_.scene.emplace(scene, structure.options.structure);
+        groundChoice_ = choice;
+    }
+    return grounded_;
 }
 
 render::PreparedScene LoadedScene::prepared() {
     const std::scoped_lock lock(mutex_);
-    return preparedLocked();
+    return *preparedLocked().scene;
 }
 
-render::PreparedScene LoadedScene::lit(const cli::RenderOptions& options) {
+render::PreparedScene LoadedScene::lit(const cli::RenderOptions& options, PathChoice& path) {
     const std::scoped_lock lock(mutex_);
-    render::PreparedScene scene = preparedLocked();
-    if (options.path.integrator == Integrator::primary) {
-        return scene;
+    const CatcherChoice& catcher = options.catcher;
+    Prepared& kept = catcher.isPlane() ? groundedLocked(catcher) : preparedLocked();
+    if (catcher.isOn()) {
+        path.catcher = catcher.isPlane() ? ground_ : catcherMaterial(*scene_, catcher.material);
     }
-    const Light light{options.path.shading(), options.path.isOcclusion(), options.light};
-    if (light_ != light) {
-        scene.light(name_, options.path, options.light);
-        prepared_ = scene;
-        light_ = light;
+    if (path.integrator == Integrator::primary) {
+        return *kept.scene;
     }
-    return scene;
+    const Light light{path.shading(), path.isOcclusion(), options.light};
+    if (kept.light != light) {
+        render::PreparedScene scene = *kept.scene; // stays as it is if this throws
+        scene.light(name_, path, options.light);
+        kept.scene = std::move(scene);
+        kept.light = light;
+    }
+    return *kept.scene;
 }
 
 std::shared_ptr<SceneOnDevice> LoadedScene::on(const std::shared_ptr<OpenDevice>& device,

@@ -35,8 +35,11 @@ class LoadedScene {
 
     // The scene with its structure. Throws what buildAccelerationStructure throws.
     render::PreparedScene prepared();
-    // The same, lit for `options`; `primary` needs no light.
-    render::PreparedScene lit(const cli::RenderOptions& options);
+    // The same, lit for `options` with the ground that they choose, whose material comes into path.catcher.
+    // `primary` needs no light. Throws what placeCatcher throws.
+    render::PreparedScene lit(const cli::RenderOptions& options, PathChoice& path);
+    // The scene read once more with other options. Keeps what it read last.
+    std::shared_ptr<const Scene> at(const ImportOptions& import);
     // Keeps the copy that was made last.
     std::shared_ptr<SceneOnDevice> on(const std::shared_ptr<OpenDevice>& device,
                                       const render::PreparedScene& scene);
@@ -50,16 +53,28 @@ class LoadedScene {
         bool operator==(const Light&) const = default;
     };
 
-    render::PreparedScene preparedLocked();
+    struct Prepared {
+        std::optional<render::PreparedScene> scene;
+        std::optional<Light> light; // of `scene`, if it has any
+    };
+
+    Prepared& preparedLocked();
+    Prepared& groundedLocked(const CatcherChoice& choice);
+    Scene read(const ImportOptions& import) const;
 
     Words words_;
     std::string path_;
     std::string name_;
     std::string sha1_;
+    std::optional<std::vector<unsigned char>> glb_; // where there is no file
     std::shared_ptr<const Scene> scene_;
     std::mutex mutex_;
-    std::optional<render::PreparedScene> prepared_; // lit by light_, if that is set
-    std::optional<Light> light_;
+    Prepared prepared_;
+    Prepared grounded_; // with the plane of groundChoice_, whose material is ground_
+    CatcherChoice groundChoice_;
+    std::uint32_t ground_ = 0;
+    std::shared_ptr<const Scene> later_; // at the time of laterTime_
+    std::optional<double> laterTime_;
     std::shared_ptr<SceneOnDevice> onDevice_;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/python/options.h"
 
-#include "metamarch/error/error.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,10 +9,9 @@
 namespace metamarch::python {
 namespace {
 
-// These belong to a program that ends with its picture, or to the scene that the program loads for it.
-constexpr std::string_view kOfTheProgram[] = {"output",     "stats",    "quiet",          "verbose",
-                                              "threads",    "progress", "write-every",    "samples",
-                                              "checkpoint", "resume",   "shadow-catcher", "frame-rate"};
+// These belong to a program that ends with its picture.
+constexpr std::string_view kOfTheProgram[] = {"output",   "stats",       "quiet",   "verbose",    "threads",
+                                              "progress", "write-every", "samples", "checkpoint", "resume"};
 
 template <class Declare>
 std::vector<std::string> declared(const Declare& declare) {
@@ -79,12 +76,6 @@ void Choice::take(const Words& words) {
 void Choice::check() const {
     settings.checkTogether(spelled);
     cli::checkArguments(options);
-    if (cli::hasMotion(options)) {
-        throw Error(
-            ErrorKind::invalidArgument,
-            "motion takes the scene of the next frame, which only the program `metamarch render` loads",
-            {"aov"});
-    }
 }
 
 const std::vector<std::string>& settingsOf(const Call call) {

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import signal
+import struct
 import subprocess
 import sys
 import threading
@@ -94,6 +95,33 @@ class Module(program.ProgramTest):
         words = ("render", "-", "-o", "program.exr", "--size", "4x4", "--spp", "1", "--backend", "cpu", "--quiet")
         subprocess.run([program.metamarch(), *words], cwd=self.tmp, input=CORNELL.read_bytes(), check=True)
         self.assertEqual(self.bytes_of(film), (self.tmp / "program.exr").read_bytes())
+
+    def test_same_bytes_of_a_shadow_catcher(self):
+        plain = self.bytes_of(self.small())
+        for backend, ground in (("cpu", "auto"), ("gpu", "y=-0.25"), ("cpu", "1")):
+            film = self.small(shadow_catcher=ground, transparent=True, aov="shadow", backend=backend)
+            words = ("--size", "12x8", "--spp", "1", "--backend", backend, "--shadow-catcher", ground, "--transparent", "--aov", "shadow")
+            self.assertEqual(self.bytes_of(film), self.program_bytes("program.exr", *words), ground)
+        self.assertEqual(self.bytes_of(self.small()), plain)
+        self.assert_refused(metamarch.InvalidArgument, "^there is no material floor;.* [(]shadow_catcher[)]", self.small,
+                            shadow_catcher="floor")
+
+    def test_same_bytes_of_motion(self):
+        file = self.tmp / "moving.gltf"
+        program.write_moving(file)
+        text = file.read_bytes() + b" " * (-file.stat().st_size % 4)
+        glb = struct.pack("<4s3I4s", b"glTF", 2, 20 + len(text), len(text), b"JSON") + text
+        options = {"size": (12, 8), "aov": "motion", "integrator": "primary", "backend": "cpu"}
+        words = ("--size", "12x8", "--aov", "motion", "--integrator", "primary", "--backend", "cpu", "--time", "0.1")
+        scene = metamarch.load(file, time=0.1)
+        for more, frames in (({}, ()), ({"frame_rate": 12}, ("--frame-rate", "12"))):
+            film = metamarch.render(scene, **options, **more)
+            self.succeed("render", file, "-o", "program.exr", "--quiet", *words, *frames)
+            self.assertEqual(self.bytes_of(film), (self.tmp / "program.exr").read_bytes())
+            of_bytes = metamarch.render(metamarch.load(glb, time=0.1), **options, **more)
+            np.testing.assert_array_equal(of_bytes["motion"], film["motion"])
+            self.assertGreater(film["motion.X"].max(), 0)
+        self.assert_refused(metamarch.InvalidArgument, "time", metamarch.render, metamarch.load(file), **options)
 
     def test_without_a_driver_the_processor_renders(self):
         code = ("import sys, metamarch; film = metamarch.render(metamarch.load(sys.argv[1]), size=(4, 4), spp=1);"
@@ -383,7 +411,7 @@ class Module(program.ProgramTest):
 TYPES = {"WxH": "tuple[int, int] | str", "x,y,z": "Sequence[float]", "r,g,b": "Sequence[float]",
          "x0,y0,x1,y1": "Sequence[int]", "N": "int", "FILE": "str | os.PathLike[str]",
          "FILE.json": "str | os.PathLike[str]", "NAME|INDEX": "str | int", "INDEX|NAME": "str | int", "METHOD": "str",
-         "NAME": "str", "inf|DEPTH": "float", "U|Ux,Uy,Uz": "float | Sequence[float]"}
+         "NAME": "str", "y=HEIGHT|auto|MATERIAL": "str", "inf|DEPTH": "float", "U|Ux,Uy,Uz": "float | Sequence[float]"}
 OTHER_TYPES = {"camera": '"Camera | str | int"', "tree_depth": "int"}
 
 

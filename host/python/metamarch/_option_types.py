@@ -30,7 +30,9 @@ class RenderOptions(TypedDict, total=False):
     size: tuple[int, int] | str
     aov: str | Sequence[str]
     miss_depth: float
+    frame_rate: float
     transparent: bool
+    shadow_catcher: str
     denoise: bool
     camera: "Camera | str | int"
     eye: Sequence[float]
