@@ -293,7 +293,8 @@ class ChannelsTest(ProgramTest):
             picture = self.render(*words, "--shadow-catcher", chosen, scene="both.gltf")
             ground = [picture["A"][y][x] for y in range(HEIGHT) for x in range(WIDTH) if picture["R"][y][x] == 0]
             self.assertGreater(len(ground), WIDTH * HEIGHT / 2)
-            self.assertTrue(min(ground) == 0 and 0.1 < max(ground) < 1)
+            self.assertGreater(ground.count(0), len(ground) / 4)  # not only nearly
+            self.assertTrue(0.1 < max(ground) < 1)
         # Parts of the usual channels go together too.
         part = ("render", "both.gltf", *SIZE, "--backend", "cpu", "--quiet", *words[2:], "--shadow-catcher", "0")
         self.succeed(*part, "-o", "a.part", "--samples", "0:1")

@@ -32,8 +32,8 @@ class RenderOptions(TypedDict, total=False):
     miss_depth: float
     frame_rate: float
     transparent: bool
-    shadow_catcher: str
     denoise: bool
+    shadow_catcher: str
     camera: "Camera | str | int"
     eye: Sequence[float]
     target: Sequence[float]
