@@ -253,7 +253,9 @@ SHARED_FN uint kindOf(SCENE_PARAMETER const Ray ray, const TriangleRecord triang
 }
 
 // Returns true if a ray whose passedMaterial is `passed` looks for lamps behind objects.
-SHARED_FN bool looksBehind(const uint passed) { return hasFeature(kFeatureCatcher) && passed != kNoCatcher; }
+SHARED_FN bool looksBehind(SCENE_PARAMETER const uint passed) {
+    return hasFeature(SCENE kFeatureCatcher) && hasFeature(SCENE kFeatureEmission) && passed != kNoCatcher;
+}
 
 // Ends a path whose ray hits no triangle.
 SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Path path) {

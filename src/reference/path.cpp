@@ -48,7 +48,7 @@ Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, 
         const uint kind =
             kindOf(render.scene, ray, render.structure.triangles[next.recordIndex], at, dimension, passed);
         found.inWay = {found.inWay.first == kNothing ? kind : found.inWay.first, kind};
-        if (looksBehind(passed) ? kind == kLamp : kind != kNothing) {
+        if (looksBehind(render.scene, passed) ? kind == kLamp : kind != kNothing) {
             return found;
         }
         ray.tMin = next.hit.t;
