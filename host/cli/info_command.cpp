@@ -69,9 +69,10 @@ void printText(const nlohmann::ordered_json& report) {
     line("table", fmt::format("{} cells, {} leaves", count("table", "cells"), count("table", "leaves")));
     const nlohmann::ordered_json& bytes = report["bytes"];
     line("memory",
-         fmt::format("tree {:.1f} MiB, table {:.1f} MiB, exit boxes {:.1f} MiB, triangles {:.1f} MiB",
+         fmt::format("tree {:.1f} MiB, table {:.1f} MiB, exit boxes {:.1f} MiB, reference boxes {:.1f} MiB, "
+                     "triangles {:.1f} MiB",
                      mebibytes(bytes, "tree"), mebibytes(bytes, "table"), mebibytes(bytes, "exitBoxes"),
-                     mebibytes(bytes, "triangles")));
+                     mebibytes(bytes, "referenceBoxes"), mebibytes(bytes, "triangles")));
     line("built in",
          fmt::format("tree {:.3f} s, table {:.3f} s: {:.0f} triangles per second", seconds("tree"),
                      seconds("table"), report["trianglesPerSecond"].get<double>()));

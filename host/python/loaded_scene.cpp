@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/python/loaded_scene.h"
 
+#include "metamarch/error/error.h"
 #include "metamarch/scene/file_digest.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/shading/shadow_catcher.h"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -33,7 +36,14 @@ LoadedScene::LoadedScene(const std::string& name, std::vector<unsigned char> glb
 }
 
 Scene LoadedScene::read(const ImportOptions& import) const {
-    return glb_ ? loadGlb(name_, *glb_, import) : loadScene(path_, import);
+    if (glb_) {
+        return loadGlb(name_, *glb_, import);
+    }
+    if (!sha1_.empty() && sha1Of(path_) != sha1_) {
+        throw Error(ErrorKind::inputRefused,
+                    fmt::format("{}: the file has changed since it was loaded", name_));
+    }
+    return loadScene(path_, import);
 }
 
 std::shared_ptr<const Scene> LoadedScene::at(const ImportOptions& import) {

@@ -20,7 +20,7 @@ struct FilmSpan {
         : firstSample(first), film(std::make_shared<const FilmData>(std::move(sums))) {}
 
     std::uint32_t firstSample;
-    std::shared_ptr<const FilmData> film; // never null
+    std::shared_ptr<const FilmData> film; // null only after a move
 };
 
 // Spans of one area, by their first samples. Which sums a span may hold follows from the order in which the

@@ -42,6 +42,7 @@ Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, cons
     uint steps = 0u;
     uint tests = 0u;
     bool isDone = false;
+    uint left = 1u; // as in finishUnless
     do {
         // The condition is needed because llvmpipe executes the loop again for lanes that have left it.
         if (!isDone) {
@@ -58,10 +59,12 @@ Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, cons
                 inWay.last = kindOf(ray, loadTriangle(next.recordIndex), at, dimension, passed);
                 inWay.first = inWay.first == kNothing ? inWay.last : inWay.first;
                 isDone = looksBehind(passed) ? inWay.last == kLamp : inWay.last != kNothing;
-                ray.tMin = next.hit.t;
+                ray = rayBehind(ray, next.hit.t);
             }
+            left = isDone ? 0u : 1u;
         }
     } while (!isDone);
+    trace.finished = trace.finished && left == 0u;
     trace.steps = steps;
     trace.tests = tests;
     return trace;

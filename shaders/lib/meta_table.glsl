@@ -25,5 +25,4 @@ uint leafAt(const ivec3 cell, const uvec3 resolution) {
     return entry;
 }
 
-Leaf loadLeafAt(const ivec3 cell, const uvec3 resolution) { return loadLeaf(leafAt(cell, resolution)); }
 #endif

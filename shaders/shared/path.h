@@ -86,7 +86,7 @@ const uint kObject = 1u;
 const uint kLamp = 2u; // is there without objects too
 
 // What is in the way of a ray. A ray that leaves the catcher goes on through objects until it meets a lamp or
-// leaves the scene, so its last may be more than its first.
+// leaves the scene, so `last` may differ from `first`.
 struct InWay {
     uint first;
     uint last;

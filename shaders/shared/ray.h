@@ -129,5 +129,14 @@ SHARED_FN Ray makeRay(const Lattice lattice, const vec3 origin, const float tMin
     return ray;
 }
 
+// Returns the part of the ray behind a hit at t. Traversals of it begin at the hit, so a ray that passes many
+// surfaces does not visit the same leaves again.
+SHARED_FN Ray rayBehind(const Ray ray, const float t) {
+    Ray rest = ray;
+    rest.tMin = t;
+    rest.tNear = max(ray.tNear, t);
+    return rest;
+}
+
 SHARED_END
 #endif

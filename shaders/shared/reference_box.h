@@ -93,6 +93,9 @@ SHARED_FN uint meetBoxes(const FrameCrossing frame, const uvec3 shift, const uve
     return (a.x <= a.y ? 1u : 0u) | (b.x <= b.y ? 2u : 0u) | (c.x <= c.y ? 4u : 0u) | (d.x <= d.y ? 8u : 0u);
 }
 
+#ifdef __cplusplus
+static_assert(kMaxLatticeResolution * kFrameStepsPerCell <= 0xffffu, "a frame's numbers have 16 bits");
+#endif
 SHARED_ASSERT_SIZE(LeafFrame, 16)
 SHARED_ASSERT_OFFSET(LeafFrame, firstGroup, 12)
 

@@ -10,7 +10,7 @@
 // loop ends outside the lattice. So there are at most as many steps as the sum of the three resolutions,
 // whatever the rounding errors. A search along an axis ends at the last plane.
 //
-// Cost per step: one or two 4-byte table entries, one 16-byte leaf, three planes, and the leaf's triangles.
+// Cost per step: one or two table entries, one 16-byte leaf, three planes, and the leaf's triangles.
 // The search for the next cell takes on each axis one bucket, one plane, and the planes between that and the
 // position. No memory per ray.
 //
@@ -35,7 +35,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     uint left = 1u;
     while (isOn) {
         ++trace.steps;
-        const Leaf leaf = loadLeafAt(cell, resolution);
+        const Leaf leaf = loadLeaf(leafAt(cell, resolution));
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);

@@ -3,7 +3,9 @@
 
 #include "metamarch/accel/cell_box.h"
 #include "metamarch/accel/lattice.h"
+#include "metamarch/accel/triangle_box.h"
 #include "metamarch/accel/triangle_clip.h"
+#include "metamarch/shared/reference_box.h"
 
 #include <tbb/parallel_for.h>
 

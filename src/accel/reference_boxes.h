@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Small boxes around the triangles of a leaf, which a ray meets before it tests the triangles themselves.
 #pragma once
-#include "metamarch/accel/triangle_box.h"
-#include "metamarch/shared/reference_box.h"
+#include "metamarch/shared/scene_layout.h"
 
 #include <cstdint>
 #include <span>

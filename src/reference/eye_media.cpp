@@ -41,7 +41,7 @@ Media mediaAt(const AccelerationStructure& structure, const ShadingScene& scene,
                 around = enclosedBy(around, mediumOf(material));
             }
         }
-        ray.tMin = found.hit.t;
+        ray = rayBehind(ray, found.hit.t);
     }
 }
 

@@ -51,7 +51,7 @@ Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, 
         if (looksBehind(render.scene, passed) ? kind == kLamp : kind != kNothing) {
             return found;
         }
-        ray.tMin = next.hit.t;
+        ray = rayBehind(ray, next.hit.t);
     }
 }
 

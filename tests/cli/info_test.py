@@ -33,6 +33,12 @@ class InfoTest(ProgramTest):
         self.assertEqual(report["bounds"], {"min": [-0.278, 0.0, -0.2796], "max": [0.278, 0.5488, 0.2796]})
         self.assertEqual(report["lattice"], {"resolution": [6, 6, 6], "unit": [0.1, 0.1, 0.1]})
         self.assertEqual((report["table"]["cells"], report["bytes"]["table"]), (216, (1 + 8**3 + 3) * 4))  # a brick, padded
+        leaves, references = report["table"]["leaves"], report["tree"]["references"]
+        self.assertEqual(report["bytes"]["exitBoxes"], 16 * leaves)
+        boxes = report["bytes"]["referenceBoxes"] - 16 * leaves  # a frame for each leaf, and groups of four boxes
+        self.assertEqual(boxes % 16, 0)
+        self.assertGreaterEqual(boxes, 4 * references)
+        self.assertLess(boxes, 4 * references + 16 * leaves)
 
     def test_scale(self):
         report = self.info(SCENES / "cornell.glb", "--scale", "-2")

@@ -135,6 +135,25 @@ TEST(ShadowCatcher, groundWithoutObjectsIsTransparent) {
     EXPECT_GT(reached, 0.5f * kSide * kSide * 3);
 }
 
+// Two lamps that light each other: what one reflects of the other reaches the ground with and without
+// objects.
+TEST(ShadowCatcher, lampsLightEachOther) {
+    PathScene made;
+    addSquareLamp(made.scene, 1.0f, lambert(glm::vec3(0.8f)));
+    Material lamp = lambert(glm::vec3(0.8f));
+    lamp.emissiveFactor = glm::vec3(3.0f);
+    addQuad(made.scene, {1.0f, 0.2f, -1.0f}, {0, 0, 2}, {0, 0.8f, 0}, addMaterial(made.scene, lamp));
+    addCatcher(made);
+    made.view = lookAt({0, 0.9f, 0}, {0, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1.0f;
+    float reached = 0.0f;
+    for (const LightParts& light : filmOf(made, {.samples = 8}).light) {
+        EXPECT_EQ(light.reached, light.unblocked);
+        reached += light.reached.g;
+    }
+    EXPECT_GT(reached, 0.0f);
+}
+
 // The dark half of an emissive texture is an object, and so is an unlit surface.
 TEST(ShadowCatcher, whatHardlyShinesIsAnObject) {
     PathScene made;
