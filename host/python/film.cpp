@@ -50,7 +50,15 @@ bool Film::isComplete() const {
     return !result_.isCancelled && result_.settings.samplesPerPixel == samplesWanted_;
 }
 
+void Film::beginPictureWork() const {
+    if (denoiser_) {
+        beginWork(); // its library works with threads
+    }
+    beginFileWork();
+}
+
 void Film::save(const std::string& path, const Words& words) const {
+    beginPictureWork();
     Choice choice;
     choice.take(scene_->words());
     choice.take(words_);
@@ -76,6 +84,7 @@ void Film::save(const std::string& path, const Words& words) const {
 }
 
 std::vector<std::uint8_t> Film::rgba8(const Words& words) const {
+    beginPictureWork();
     Choice choice;
     choice.take(words_);
     choice.take(words);
@@ -118,18 +127,19 @@ std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Word
     }
     const render::PreparedScene lit = scene->lit(options, settings.path);
     render::RenderResult result;
-    if (device) {
-        const std::scoped_lock lock(device->inUse);
-        const std::shared_ptr<SceneOnDevice> onDevice = scene->on(device, lit);
-        result = renderPicture(onDevice->scene, camera, settings, control);
-    } else {
-        result = renderPicture(lit, camera, settings, control);
-    }
-    if (result.failure) {
-        if (device) {
-            forgetDevice(device);
+    const auto whole = [](render::RenderResult drawn) {
+        if (drawn.failure) {
+            std::rethrow_exception(drawn.failure);
         }
-        std::rethrow_exception(result.failure);
+        return drawn;
+    };
+    if (device) {
+        result = useDevice(device, [&] {
+            const std::shared_ptr<SceneOnDevice> onDevice = scene->on(device, lit);
+            return whole(renderPicture(onDevice->scene, camera, settings, control));
+        });
+    } else {
+        result = whole(renderPicture(lit, camera, settings, control));
     }
     std::vector<std::string> warnings = render::warningsOf(*lit.structure);
     for (const std::vector<std::string>* more : {&lit.lightWarnings, &std::as_const(result).warnings}) {

@@ -36,6 +36,8 @@ class Film {
     render::FilmRun takeSums() { return std::move(result_.sums); }
 
   private:
+    void beginPictureWork() const;
+
     std::shared_ptr<LoadedScene> scene_;
     Words words_;
     SceneCamera camera_;

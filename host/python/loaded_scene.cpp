@@ -22,6 +22,11 @@ ImportOptions importOptions(const Words& words) {
 
 } // namespace
 
+std::shared_ptr<SceneOnDevice> putOnDevice(const std::shared_ptr<OpenDevice>& device,
+                                           const render::PreparedScene& scene) {
+    return {new SceneOnDevice{device, {device->device, scene}}, DeleteUnlessForked()};
+}
+
 LoadedScene::LoadedScene(const std::string& path, Words words)
     : words_(std::move(words)), path_(path), name_(path) {
     beginWork();
@@ -109,7 +114,7 @@ std::shared_ptr<SceneOnDevice> LoadedScene::on(const std::shared_ptr<OpenDevice>
         onDevice_ && onDevice_->owner == device && onDevice_->scene.scene().shading == scene.shading;
     if (!isThere) {
         onDevice_.reset(); // the device may have no memory for two
-        onDevice_.reset(new SceneOnDevice{device, {device->device, scene}});
+        onDevice_ = putOnDevice(device, scene);
     }
     return onDevice_;
 }

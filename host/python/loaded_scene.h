@@ -19,6 +19,10 @@ struct SceneOnDevice {
     render::DeviceScene scene;
 };
 
+// Copies the scene to the device. Throws what DeviceScene throws.
+std::shared_ptr<SceneOnDevice> putOnDevice(const std::shared_ptr<OpenDevice>& device,
+                                           const render::PreparedScene& scene);
+
 // Any number of threads may use one scene.
 class LoadedScene {
   public:

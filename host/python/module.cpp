@@ -160,9 +160,10 @@ py::array_t<T> lendChannels(const Image& image, const std::vector<T>& values, co
     return array;
 }
 
+// noisy.R is of the group noisy, and noisy.direct.R is not.
 bool isOfGroup(const std::string& channel, const std::string& group) {
     return group.empty() ? channel == "R" || channel == "G" || channel == "B"
-                         : channel.starts_with(group + ".");
+                         : channel.starts_with(group + ".") && channel.rfind('.') == group.size();
 }
 
 // Returns where the channels of a group begin, and how many follow each other there.
@@ -179,8 +180,8 @@ std::pair<std::size_t, std::size_t> findGroup(const std::vector<std::string>& na
     return {first, end - first};
 }
 
-// The channel of this name; otherwise those whose names begin with it and a dot; for "" R, G and B. None if
-// there is none.
+// The channel of this name; otherwise those that have this name before their last dot; for "" R, G and B.
+// None if there is none.
 py::object channelsOf(const std::shared_ptr<Film>& film, const std::string& name) {
     const Image& image = film->image();
     const py::object owner = py::cast(film);
@@ -393,12 +394,21 @@ void addFilm(py::module_& module) {
     });
 }
 
+// Other threads of Python run while a tracer waits for its device.
+struct DeleteTracer {
+    void operator()(Tracer* const tracer) const {
+        const py::gil_scoped_release release;
+        delete tracer;
+    }
+};
+
 void addTracer(py::module_& module) {
-    py::class_<Tracer> tracer(module, "Tracer");
+    using Pointer = std::unique_ptr<Tracer, DeleteTracer>;
+    py::class_<Tracer, Pointer> tracer(module, "Tracer");
     tracer.def(py::init([](std::shared_ptr<LoadedScene> scene, const bool onGpu, const std::string& device) {
                    const py::gil_scoped_release release;
                    beginWork();
-                   return std::make_unique<Tracer>(std::move(scene), onGpu ? openDevice(device) : nullptr);
+                   return new Tracer(std::move(scene), onGpu ? openDevice(device) : nullptr);
                }),
                py::arg("scene"), py::arg("on_gpu"), py::arg("device"));
     tracer.def("trace", [](Tracer& self, const Rows& origins, const Rows& directions, const float tMin,
@@ -430,6 +440,7 @@ PYBIND11_MODULE(_native, module) {
     addTracer(module);
     module.def("read_image", [](const std::string& path) {
         const py::gil_scoped_release release;
+        beginFileWork();
         return readImage(path);
     });
     module.def("compare", compare, py::arg("a"), py::arg("b"), py::arg("max_abs"),

@@ -33,19 +33,28 @@ void forEachRay(const std::size_t count, const Each& each) {
 
 Tracer::Tracer(std::shared_ptr<LoadedScene> scene, std::shared_ptr<OpenDevice> device)
     : scene_(std::move(scene)), prepared_(scene_->prepared()) {
-    if (device) {
-        const std::scoped_lock lock(device->inUse);
-        onDevice_ = std::shared_ptr<SceneOnDevice>(new SceneOnDevice{device, {device->device, prepared_}});
-        onDeviceTracer_.emplace(device->device, onDevice_->scene.buffers(),
-                                std::string(render::marchingTraversal(prepared_.structure->options.table)),
-                                false);
+    if (!device) {
+        return;
+    }
+    useDevice(device, [&] {
+        onDevice_ = putOnDevice(device, prepared_);
+        onDeviceTracer_.reset(new render::RayTracer(
+            device->device, onDevice_->scene.buffers(),
+            std::string(render::marchingTraversal(prepared_.structure->options.table)), false));
+    });
+}
+
+Tracer::~Tracer() {
+    if (onDeviceTracer_ && !isForked()) {
+        // Its command buffer is of a pool that all work on the device shares.
+        const std::scoped_lock lock(onDevice_->owner->inUse);
+        onDeviceTracer_.reset();
     }
 }
 
 std::vector<RayResult> Tracer::results(const std::span<const RayQuery> rays) {
     if (onDeviceTracer_) {
-        const std::scoped_lock lock(onDevice_->owner->inUse);
-        return onDeviceTracer_->trace(rays);
+        return useDevice(onDevice_->owner, [&] { return onDeviceTracer_->trace(rays); });
     }
     std::vector<RayResult> results(rays.size());
     forEachRay(rays.size(), [&](const std::size_t i) {

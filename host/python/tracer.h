@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +22,9 @@ class Tracer {
   public:
     // Traces on the cpu if `device` is null.
     Tracer(std::shared_ptr<LoadedScene> scene, std::shared_ptr<OpenDevice> device);
+    ~Tracer(); // may wait until another thread has done with the device
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
 
     // Throws what RayTracer::trace throws.
     Hits trace(std::span<const RayQuery> rays);
@@ -33,7 +35,7 @@ class Tracer {
     std::shared_ptr<LoadedScene> scene_;
     render::PreparedScene prepared_;
     std::shared_ptr<SceneOnDevice> onDevice_;
-    std::optional<render::RayTracer> onDeviceTracer_;
+    std::unique_ptr<render::RayTracer, DeleteUnlessForked> onDeviceTracer_;
 };
 
 } // namespace metamarch::python

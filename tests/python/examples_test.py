@@ -3,6 +3,7 @@
 import base64
 import doctest
 import importlib
+import json
 import os
 import sys
 import unittest
@@ -56,7 +57,38 @@ class Examples(program.ProgramTest):
         refused = handler({"glb": base64.b64encode(b"nothing").decode()})
         self.assertEqual(refused["statusCode"], 400)
         self.assertRegex(refused["body"], "^the scene: not glTF")
-        self.assertEqual(handler({"glb": glb, "width": 4096, "height": 4096})["statusCode"], 413)
+        body = json.dumps({"glb": glb, "width": 8, "height": 8, "spp": 1})
+        self.assertEqual(handler({"body": body}), answer)
+
+    def test_handler_refuses_in_one_line(self):
+        handler = example("handler").handler
+        glb = base64.b64encode((program.SCENES / "cornell.glb").read_bytes()).decode()
+        refused = [
+            (400, "^the request is not JSON$", {"body": "{"}),
+            (400, "^the request is not JSON$", {"body": None}),
+            (400, "^the request is not JSON$", {"body": "[" * 100000}),
+            (400, "^the request is not an object", {"body": "[]"}),
+            (400, "^the request is not an object", "glb"),
+            (400, "^the request is not an object", None),
+            (400, "^glb is missing$", {}),
+            (400, "^glb: give the file in base64$", {"glb": 3}),
+            (400, "^glb: give the file in base64$", {"glb": "?"}),
+            (400, "^the scene: nothing to read$", {"glb": ""}),
+            (400, "^width: give a whole number$", {"glb": glb, "width": "wide"}),
+            (400, "^height: give a whole number$", {"glb": glb, "height": float("inf")}),
+            (400, "^spp: give a whole number$", {"glb": glb, "spp": None}),
+            (400, "^size -8x8: give ", {"glb": glb, "width": -8, "height": 8}),
+            (400, "^spp 0: give ", {"glb": glb, "spp": 0}),
+            (413, "^at most ", {"glb": glb, "width": 4096, "height": 4096}),
+            (413, "^at most ", {"glb": glb, "width": 10**400}),
+            (413, "^at most ", {"glb": glb, "spp": 257}),
+        ]
+        for status, pattern, event in refused:
+            with self.subTest(pattern=pattern):
+                answer = handler(event)
+                self.assertEqual(answer["statusCode"], status)
+                self.assertRegex(answer["body"], pattern)
+                self.assertNotIn("\n", answer["body"])
 
     def test_from_trimesh(self):
         from_trimesh = example("from_trimesh")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tests the Python module against the program, which writes the same bytes, and against closed forms."""
+import atexit
 import inspect
 import json
 import math
@@ -158,6 +159,24 @@ class Module(program.ProgramTest):
         with self.assertRaisesRegex(KeyError, "nothing: the film has R, G, B, A"):
             self.small()["nothing"]
 
+    def test_numpy_booleans(self):
+        for value in (True, False):
+            one, other = (self.small(transparent=flag, eye=(0, 1, 9), target=(0, 1, 0)).rgba8() for flag in (value, np.bool_(value)))
+            np.testing.assert_array_equal(one, other)
+            self.assertEqual(other[:, :, 3].min() < 255, value)
+        for value in (True, np.True_):
+            self.assert_refused(metamarch.InvalidArgument, "^spp=(np.)?True_?: give a value$", self.small, spp=value)
+
+    def test_group_has_the_channels_with_one_more_word(self):
+        code = ("import sys, metamarch\n"
+                "film = metamarch.render(metamarch.load(sys.argv[1]), size=(4, 3), spp=1, backend='cpu', denoise=True,\n"
+                "                        aov=['direct', 'indirect'])\n"
+                "print([film[name].shape for name in ('noisy', 'noisy.direct', 'direct')], 'noisy.indirect.R' in film.channels)")
+        environment = {**os.environ, "LD_LIBRARY_PATH": os.environ["METAMARCH_FAKE_DENOISER"]}
+        done = subprocess.run([sys.executable, "-c", code, CORNELL], cwd=self.tmp, env=environment, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual((done.stdout, done.stderr), ("[(3, 4, 3), (3, 4, 3), (3, 4, 3)] True\n", ""))
+
     def test_matrices_project_what_the_pixels_see(self):
         film = self.small(aov=["P", "Z", "id.triangle"], integrator="primary")
         hit = film["id.triangle"] != MISS
@@ -204,19 +223,73 @@ class Module(program.ProgramTest):
         for i in range(1, 4):
             self.assertTrue(metamarch.compare(films[i], films[0]), i)
 
-    def test_a_fork_is_told_so(self):
+    def forked(self, work):
+        """Returns what `work` returns in a forked process, or the error that it raises there, as text."""
         reader, writer = os.pipe()
         child = os.fork()
         if child == 0:
+            signal.alarm(60)  # ends a process that hangs
             try:
-                self.small()
-                os.write(writer, b"rendered")
-            except metamarch.InvalidArgument as error:
-                os.write(writer, str(error).encode())
+                os.write(writer, str(work()).encode())
+            except Exception as error:
+                os.write(writer, f"{type(error).__name__}: {error}".encode())
             finally:
                 os._exit(0)
+        os.close(writer)
+        with os.fdopen(reader, "rb") as pipe:
+            text = pipe.read().decode()
         os.waitpid(child, 0)
-        self.assertRegex(os.read(reader, 1000).decode(), 'forked off .* "spawn"')
+        return text
+
+    def test_a_fork_keeps_its_films(self):
+        film = self.small(backend="gpu")
+        expected = self.bytes_of(film, "parent.exr"), self.bytes_of(film, "parent.png"), film.rgba8().tobytes()
+
+        def work():
+            files = self.bytes_of(film, "child.exr"), self.bytes_of(film, "child.png"), film.rgba8().tobytes()
+            return files == expected and metamarch.compare(self.tmp / "child.exr", film).passed
+
+        self.assertEqual(self.forked(work), "True")
+
+    def test_a_fork_is_told_so(self):
+        objects = {"scene": metamarch.load(CORNELL)}
+        objects["tracer"] = metamarch.Tracer(objects["scene"], backend="gpu")
+        busy = threading.Thread(target=metamarch.render, args=(objects["scene"],),
+                                kwargs={"backend": "gpu", "spp": 1 << 20, "time_limit": 0.2})
+        busy.start()  # holds the device and its locks, which the child cannot get
+        calls = [lambda: self.small(), lambda: self.small(backend="gpu"), lambda: metamarch.load(CORNELL),
+                 lambda: metamarch.Tracer(self.cornell, backend="gpu"),
+                 lambda: objects["tracer"].trace([(0, 0, 0)], [(0, 0, 1)])]
+        for call in calls:
+            self.assertRegex(self.forked(call), '^InvalidArgument: .* forked off .* "spawn" of multiprocessing$')
+
+        def leave():
+            objects.clear()
+            atexit._run_exitfuncs()
+            return "left"
+
+        self.assertEqual(self.forked(leave), "left")
+        busy.join()
+
+    def test_a_tracer_leaves_when_the_device_is_free(self):
+        # Its command buffer is of the device's pool, which only one thread may use.
+        for _ in range(5):
+            tracer = metamarch.Tracer(self.cornell, backend="gpu")
+            ends = []
+
+            def draw():
+                begin = time.monotonic()
+                ends.append(begin + self.small(backend="gpu", spp=1 << 20, time_limit=0.4).seconds)
+
+            thread = threading.Thread(target=draw)
+            thread.start()
+            time.sleep(0.1)  # the thread holds the device; on a busy machine perhaps not yet
+            del tracer
+            deleted = time.monotonic()
+            thread.join()
+            if deleted >= ends[0]:
+                return
+        self.fail("the tracer did not wait for the device")
 
     # Scenes.
 
@@ -273,12 +346,23 @@ class Module(program.ProgramTest):
              {"material": {"emissiveTexture": np.zeros((2, 2))}}),
             (r"a material holds what glTF cannot", {"material": {"roughnessFactor": math.nan}}),
             (r"give the material as a dictionary", {"material": "red"}),
+            (r"^mesh 0: positions: position of vertex 3 is not finite$", {"positions": CORNERS[:3] + [(0, math.nan, 0)]}),
+            (r"^mesh 0: positions: position of vertex 0 is not finite$", {"positions": [(math.inf, 0, 0)] + CORNERS[1:]}),
+            (r"^mesh 0: positions: position of vertex 1 is not finite$",
+             {"positions": [CORNERS[0], (1e300, 0, 0)] + CORNERS[2:]}),
+            (r"^mesh 0: positions: position of vertex 2 is not finite$",
+             {"positions": CORNERS[:2] + [(0, 0, -math.inf)], "indices": None}),
         ]
         for pattern, given in refused:
             self.assert_refused(metamarch.InvalidArgument, pattern, metamarch.from_arrays,
                                 **{"positions": CORNERS, "indices": SQUARE, **given})
         self.assert_refused(metamarch.InputRefused, "arrays: .*roughnessFactor", metamarch.from_arrays, CORNERS, SQUARE,
                             material={"roughnessFactor": "rough"})
+
+    def test_vertices_without_a_triangle_may_be_broken(self):
+        with self.assertWarnsRegex(metamarch.SceneWarning, "positions of vertices that no triangle uses are not finite"):
+            scene = metamarch.from_arrays(CORNERS + [(math.nan, 0, 0)], SQUARE)
+        np.testing.assert_array_equal(scene.bounds, [(-1, -1, 0), (1, 1, 0)])
 
     def test_warnings_are_those_of_the_program(self):
         result = self.run_program("render", program.SCENES / "objects.glb", "-o", "a.exr", "--size", "2x2", "--spp", "1",

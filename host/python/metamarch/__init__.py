@@ -230,7 +230,7 @@ class Film:
         return self._native.channels
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        """Returns a channel, (height, width): film["Z"]. The name before the dot returns all channels of the group,
+        """Returns a channel, (height, width): film["Z"]. The name before the last dot returns all channels of the group,
         (height, width, channels): film["N"]. Values are float32; ids and counts are uint32."""
         array = self._native.channel(name)
         if array is None:

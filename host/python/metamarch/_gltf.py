@@ -95,7 +95,8 @@ class _Glb:
 def _rows(array, columns, kind, what, count=None):
     """Returns the array as rows of `columns` numbers. Raises InvalidArgument for another shape."""
     try:
-        rows = np.ascontiguousarray(array, dtype=kind)
+        with np.errstate(over="ignore"):  # becomes infinite, and is judged as such
+            rows = np.ascontiguousarray(array, dtype=kind)
     except (TypeError, ValueError, OverflowError):
         rows = None
     if rows is None or rows.ndim != 2 or rows.shape[1] not in columns or len(rows) == 0:
@@ -104,6 +105,17 @@ def _rows(array, columns, kind, what, count=None):
     if count is not None and len(rows) != count:
         raise InvalidArgument(f"{what}: {len(rows)} rows for {count} positions")
     return rows
+
+
+def _bounds(positions, indices, what):
+    """Returns the least and the greatest corner of the finite positions. Like in a file, a position that is not finite is
+    refused only if a triangle has it."""
+    finite = np.isfinite(positions).all(1)
+    used = np.arange(len(positions)) if indices is None else indices.reshape(-1)
+    broken = used[~finite[used]]
+    if len(broken):
+        raise InvalidArgument(f"{what}: position of vertex {broken[0]} is not finite")
+    return {"min": positions[finite].min(0).tolist(), "max": positions[finite].max(0).tolist()}
 
 
 def _indices(indices, count, what):
@@ -122,8 +134,9 @@ def glb_of(meshes):
         name = mesh.name or f"mesh {number}"
         positions = _rows(mesh.positions, (3,), np.float32, f"{name}: positions")
         count = len(positions)
+        indices = None if mesh.indices is None else _indices(mesh.indices, count, f"{name}: indices")
         attributes = {"POSITION": glb.accessor(positions, "VEC3")}
-        glb.root["accessors"][-1].update(min=positions.min(0).tolist(), max=positions.max(0).tolist())
+        glb.root["accessors"][-1].update(_bounds(positions, indices, f"{name}: positions"))
         if mesh.normals is not None:
             normals = _rows(mesh.normals, (3,), np.float32, f"{name}: normals", count)
             attributes["NORMAL"] = glb.accessor(normals, "VEC3")
@@ -134,8 +147,7 @@ def glb_of(meshes):
             colors = _rows(mesh.colors, (3, 4), np.float32, f"{name}: colors", count)
             attributes["COLOR_0"] = glb.accessor(colors, f"VEC{colors.shape[1]}")
         primitive = {"attributes": attributes}
-        if mesh.indices is not None:
-            indices = _indices(mesh.indices, count, f"{name}: indices")
+        if indices is not None:
             primitive["indices"] = glb.accessor(indices.reshape(-1), "SCALAR")
         material = glb.material(mesh.material, name)
         if material is not None:

@@ -5,6 +5,8 @@ import difflib
 import numbers
 import os
 
+import numpy as np
+
 from . import _native
 
 LOAD, RENDER, SAVE = ({option["name"].replace("-", "_"): option for option in options} for options in _native.options())
@@ -30,10 +32,10 @@ def words_of(call, options, given):
 
 def _text_of(name, option, value):
     if option["kind"] == "flag":
-        if not isinstance(value, (bool, numbers.Integral)) or value not in (0, 1):
+        if not isinstance(value, (bool, np.bool_, numbers.Integral)) or value not in (0, 1):
             raise _native.InvalidArgument(f"{name}={value!r}: give True or False")
         return "on" if value else None
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         raise _native.InvalidArgument(f"{name}={value!r}: give a value")
     if isinstance(value, os.PathLike):
         return os.fsencode(value)
