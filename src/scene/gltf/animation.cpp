@@ -149,6 +149,7 @@ std::vector<GltfElement> selectAnimations(const std::vector<GltfElement>& animat
         return animations;
     }
     std::vector<std::string> names;
+    names.reserve(animations.size());
     for (const GltfElement& animation : animations) {
         names.push_back(animation.text("name"));
     }

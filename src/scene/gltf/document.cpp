@@ -77,11 +77,11 @@ void checkIntegers(const InputFile& file, const Json& value, std::string_view ke
         for (const auto& [name, member] : value.items()) {
             checkIntegers(file, member,
                           namesIndices && !member.is_structured() ? key : std::string_view(name),
-                          where.empty() ? name : where + '.' + name);
+                          where.empty() ? name : fmt::format("{}.{}", where, name));
         }
     } else if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {
-            checkIntegers(file, value[i], key, where + '[' + std::to_string(i) + ']');
+            checkIntegers(file, value[i], key, fmt::format("{}[{}]", where, i));
         }
     } else if (isSize || contains(kIndexKeys, key)) {
         const std::uint64_t limit = isSize ? kMaxSize : std::numeric_limits<std::int32_t>::max();
@@ -100,7 +100,7 @@ std::string versionText(InputFile& file, const std::string& key, const Json& ver
     if (!version.is_number()) {
         file.refuse(key + ": " + version.dump() + " is not a version of glTF such as \"2.0\"");
     }
-    const std::string text = version.is_number_integer() ? version.dump() + ".0" : version.dump();
+    std::string text = version.is_number_integer() ? version.dump() + ".0" : version.dump();
     file.warn(key + ": the number " + version.dump() + " is taken for the text \"" + text + '"');
     return text;
 }
@@ -117,7 +117,7 @@ void checkVersion(InputFile& file, Json& root) {
         }
         const std::string version = versionText(file, "asset." + key, (*asset)[key]);
         if (key == "minVersion" ? version != "2.0" : !version.starts_with("2.")) {
-            file.refuse("asset." + key + ": glTF " + version + " is not supported, glTF 2.0 is");
+            file.refuse(fmt::format("asset.{}: glTF {} is not supported, glTF 2.0 is", key, version));
         }
         (*asset)[key] = version;
     }

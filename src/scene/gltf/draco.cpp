@@ -32,11 +32,12 @@ int addAccessor(tinygltf::Model& model, tinygltf::Accessor accessor) {
 template <class T>
 std::optional<std::vector<unsigned char>> valuesOf(const draco::Mesh& mesh,
                                                    const draco::PointAttribute& attribute) {
-    const auto components = static_cast<std::size_t>(attribute.num_components());
-    std::vector<T> values(components * mesh.num_points());
+    const auto components = static_cast<std::int8_t>(attribute.num_components()); // Draco has both types
+    const auto stride = static_cast<std::size_t>(components);
+    std::vector<T> values(stride * mesh.num_points());
     for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
-        if (!attribute.ConvertValue<T>(attribute.mapped_index(point), attribute.num_components(),
-                                       &values[components * point.value()])) {
+        if (!attribute.ConvertValue<T>(attribute.mapped_index(point), components,
+                                       &values[stride * point.value()])) {
             return std::nullopt;
         }
     }
@@ -136,7 +137,7 @@ class DracoPrimitive {
         tinygltf::Accessor indices;
         indices.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         indices.type = TINYGLTF_TYPE_SCALAR;
-        indices.count = 3 * mesh.num_faces();
+        indices.count = std::size_t{3} * mesh.num_faces();
         indices.bufferView = addView(model_, std::move(bytes));
         return addAccessor(model_, std::move(indices));
     }

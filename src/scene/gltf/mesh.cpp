@@ -211,7 +211,7 @@ class PartReader {
             const std::vector<glm::vec4> weights =
                 read<4>(primitive_.attributes, "WEIGHTS_" + number, part_.label);
             if (weights.size() != joints.size()) {
-                file_.refuse(part_.label + ": JOINTS_" + number + " without WEIGHTS_" + number);
+                file_.refuse(fmt::format("{}: JOINTS_{} without WEIGHTS_{}", part_.label, set, set));
             }
             for (std::size_t i = 0; i < joints.size(); ++i) {
                 for (int k = 0; k < 4; ++k) {

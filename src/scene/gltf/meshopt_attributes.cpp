@@ -164,16 +164,23 @@ class AttributeDecoder {
     std::vector<unsigned char> modes_; // by channel of 4 bytes; the high four bits are a rotation
 };
 
-// T is the component, S the same with a sign.
-template <class T, class S>
+// Returns the number whose two's complement `bits` is.
+template <class T>
+int signedOf(const T bits) {
+    constexpr int kCount = std::numeric_limits<T>::digits;
+    return bits >> (kCount - 1) != 0 ? bits - (1 << kCount) : bits;
+}
+
+// T is the component.
+template <class T>
 void decodeColor(unsigned char* bytes) {
     std::array<T, 4> in{};
     std::memcpy(in.data(), bytes, sizeof in);
     // The highest bit of alpha tells how many bits the components have. Without any, all of them are 0.
     const auto range = static_cast<int>((1u << std::bit_width(static_cast<unsigned>(in[3]))) - 1u);
     const int y = in[0];
-    const int co = static_cast<S>(in[1]);
-    const int cg = static_cast<S>(in[2]);
+    const int co = signedOf(in[1]);
+    const int cg = signedOf(in[2]);
     const int alpha = in[3] & (range >> 1);
     const float most = std::numeric_limits<T>::max();
     const float scale = range > 0 ? most / static_cast<float>(range) : 0.0f;
@@ -199,9 +206,9 @@ std::optional<std::vector<unsigned char>> decodeMeshoptAttributes(std::span<cons
 void decodeMeshoptColors(std::span<unsigned char> bytes, std::uint64_t stride) {
     for (std::size_t i = 0; i + stride <= bytes.size(); i += stride) {
         if (stride == 4) {
-            decodeColor<std::uint8_t, std::int8_t>(&bytes[i]);
+            decodeColor<std::uint8_t>(&bytes[i]);
         } else {
-            decodeColor<std::uint16_t, std::int16_t>(&bytes[i]);
+            decodeColor<std::uint16_t>(&bytes[i]);
         }
     }
 }

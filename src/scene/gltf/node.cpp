@@ -62,6 +62,7 @@ std::vector<int> parentlessNodes(const tinygltf::Model& model, const InputFile& 
 std::vector<int> rootNodes(const tinygltf::Model& model, const InputFile& file, const std::string& chosen) {
     if (!chosen.empty()) {
         std::vector<std::string> names;
+        names.reserve(model.scenes.size());
         for (const tinygltf::Scene& scene : model.scenes) {
             names.push_back(scene.name);
         }

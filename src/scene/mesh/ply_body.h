@@ -129,7 +129,8 @@ class PlyBinaryBody {
     }
 
     void checkRoom(double entries, PlyType type) const {
-        if (entries > static_cast<double>(rest_.size() / sizeOf(type))) {
+        const std::size_t room = rest_.size() / sizeOf(type); // in whole entries
+        if (entries > static_cast<double>(room)) {
             place_.refuse("the file ends here");
         }
     }

@@ -149,6 +149,7 @@ class TextureLoader {
 
     void loadImages(bool allowMissing) {
         std::vector<std::uint32_t> wanted;
+        wanted.reserve(refs_.size());
         for (const TextureRef* ref : refs_) {
             wanted.push_back(scene_.textures[ref->texture].image);
         }
