@@ -42,13 +42,13 @@ CompiledKernel::CompiledKernel(const vk::raii::Device& device, const vk::raii::P
 }
 
 std::shared_ptr<const CompiledKernel> CompiledKernels::compile(const vk::raii::Device& device,
-                                                               const vk::raii::PipelineCache& cache,
-                                                               KernelSource source) {
+                                                               PipelineCache& cache, KernelSource source) {
     const auto found = std::ranges::find_if(kept_, [&](const auto& kept) { return kept.first == source; });
     if (found != kept_.end()) {
         kept_.splice(kept_.begin(), kept_, found);
     } else {
-        auto kernel = std::make_shared<const CompiledKernel>(device, cache, source);
+        auto kernel = std::make_shared<const CompiledKernel>(device, cache.handle(), source);
+        cache.save();
         kept_.emplace_front(std::move(source), std::move(kernel));
         if (kept_.size() > kMost) {
             kept_.pop_back();

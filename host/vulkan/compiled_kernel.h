@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Kernels as the driver has compiled them, without buffers.
 #pragma once
+#include "metamarch/vulkan/pipeline_cache.h"
+
 #include <vulkan/vulkan_raii.hpp>
 
 #include <cstdint>
@@ -34,9 +36,9 @@ struct CompiledKernel {
 // Keeps the kernels that were used last: a driver may take half a second to compile one, even with its cache.
 class CompiledKernels {
   public:
-    // Returns the kernel, and compiles it if it is not kept. Throws vk::SystemError.
-    std::shared_ptr<const CompiledKernel> compile(const vk::raii::Device& device,
-                                                  const vk::raii::PipelineCache& cache, KernelSource source);
+    // Returns the kernel. If it is not kept, compiles it and saves the cache. Throws vk::SystemError.
+    std::shared_ptr<const CompiledKernel> compile(const vk::raii::Device& device, PipelineCache& cache,
+                                                  KernelSource source);
 
   private:
     static constexpr std::size_t kMost = 32;

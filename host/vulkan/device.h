@@ -33,7 +33,7 @@ class Device {
     const vk::raii::CommandPool& commandPool() const { return commandPool_; }
     // See CompiledKernels.
     std::shared_ptr<const CompiledKernel> compile(KernelSource source) const {
-        return kernels_.compile(device_, pipelineCache_.handle(), std::move(source));
+        return kernels_.compile(device_, pipelineCache_, std::move(source));
     }
     const vk::PhysicalDeviceMemoryProperties& memoryProperties() const { return memoryProperties_; }
 
@@ -46,7 +46,7 @@ class Device {
     vk::raii::Device device_;
     vk::raii::Queue queue_;
     vk::raii::CommandPool commandPool_;
-    PipelineCache pipelineCache_;
+    mutable PipelineCache pipelineCache_;
     mutable CompiledKernels kernels_;
 };
 

@@ -2,17 +2,17 @@
 #include "metamarch/vulkan/pipeline_cache.h"
 
 #include "metamarch/file/output_file.h"
+#include "metamarch/file/user_folder.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <span>
 #include <string>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 namespace metamarch::vulkan {
 namespace {
@@ -73,40 +73,33 @@ void writeCache(const fs::path& file, std::span<const uint8_t> data) {
     output.commit();
 }
 
-vk::raii::PipelineCache createCache(const std::optional<fs::path>& file, const vk::raii::Device& device,
-                                    const vk::PhysicalDeviceProperties& properties) {
-    const std::vector<uint8_t> data = file ? readCache(*file, properties) : std::vector<uint8_t>();
-    return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
-}
-
 } // namespace
 
 std::optional<fs::path> pipelineCacheFile(const vk::PhysicalDeviceProperties& properties) {
-    const char* const cacheHome = std::getenv("XDG_CACHE_HOME");
-    const char* const home = std::getenv("HOME");
-    fs::path folder;
-    if (cacheHome != nullptr && fs::path(cacheHome).is_absolute()) { // XDG: a relative path counts as unset
-        folder = cacheHome;
-    } else if (home != nullptr && fs::path(home).is_absolute()) {
-        folder = fs::path(home) / ".cache";
-    } else {
+    const std::optional<fs::path> folder = userFolder("XDG_CACHE_HOME", ".cache");
+    if (!folder) {
         return std::nullopt;
     }
-    return folder / "metamarch" /
-           fmt::format("pipelines-{:08x}-{:08x}-{:08x}-{:02x}.bin", properties.vendorID, properties.deviceID,
-                       properties.driverVersion, fmt::join(properties.pipelineCacheUUID, ""));
+    return *folder / fmt::format("pipelines-{:08x}-{:08x}-{:08x}-{:02x}.bin", properties.vendorID,
+                                 properties.deviceID, properties.driverVersion,
+                                 fmt::join(properties.pipelineCacheUUID, ""));
 }
 
 PipelineCache::PipelineCache(const vk::raii::PhysicalDevice& physicalDevice, const vk::raii::Device& device)
     : file_(pipelineCacheFile(physicalDevice.getProperties())),
-      cache_(createCache(file_, device, physicalDevice.getProperties())) {}
+      onDisk_(file_ ? readCache(*file_, physicalDevice.getProperties()) : std::vector<uint8_t>()),
+      cache_(device, vk::PipelineCacheCreateInfo({}, onDisk_.size(), onDisk_.data())) {}
 
-PipelineCache::~PipelineCache() {
-    if (!file_ || !*cache_) { // moved from
+void PipelineCache::save() {
+    if (!file_) {
         return;
     }
     try {
-        writeCache(*file_, cache_.getData());
+        std::vector<uint8_t> data = cache_.getData();
+        if (data != onDisk_) {
+            writeCache(*file_, data);
+            onDisk_ = std::move(data);
+        }
     } catch (const std::exception&) {
         // The next run compiles again.
     }

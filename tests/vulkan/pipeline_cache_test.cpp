@@ -20,7 +20,7 @@ std::string contents(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Opens the tests' device again, compiles and closes it, so that its cache is on disk.
+// Opens the tests' device again and compiles, so that its cache is on disk.
 void openAndClose() {
     const Device device(testContext(), std::to_string(testDevice().report().index));
     affineKernel(device, 1);
@@ -49,6 +49,13 @@ TEST_F(PipelineCacheTest, isSavedUnderItsOwnNameOnly) {
     openAndClose();
     ASSERT_TRUE(fs::exists(file_));
     EXPECT_EQ(std::distance(fs::directory_iterator(file_.parent_path()), {}), 1); // no temporary file is left
+}
+
+TEST_F(PipelineCacheTest, isSavedWithEachNewKernel) {
+    const Device device(testContext(), std::to_string(testDevice().report().index));
+    EXPECT_FALSE(fs::exists(file_)); // nothing has been compiled
+    affineKernel(device, 1);
+    EXPECT_TRUE(fs::exists(file_)); // a program that ends now loses nothing
 }
 
 TEST_F(PipelineCacheTest, isReadBack) {
