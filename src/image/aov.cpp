@@ -212,9 +212,7 @@ std::vector<Aov> rowsWhere(const auto& condition) {
     return rows;
 }
 
-[[noreturn]] void refuse(std::string line) {
-    throw Error(ErrorKind::invalidArgument, std::move(line), {"aov"});
-}
+[[noreturn]] void refuse(const std::string& line) { throw Error(ErrorKind::invalidArgument, line, {"aov"}); }
 
 } // namespace
 

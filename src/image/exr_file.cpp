@@ -138,8 +138,8 @@ float withinHalf(const float value) {
 }
 
 // Copies the values of one channel into the pixels of a part.
-void pack(const Image& image, const Channel& channel, const OIIO::TypeDesc type, const std::size_t pixelBytes,
-          std::byte* out) {
+void pack(const Image& image, const Channel& channel, const OIIO::TypeDesc& type,
+          const std::size_t pixelBytes, std::byte* out) {
     for (std::size_t pixel = 0; pixel < image.pixelCount(); ++pixel, out += pixelBytes) {
         if (channel.isOfIds) {
             std::memcpy(out, &image.ids[pixel * image.idChannels.size() + channel.index], 4);
@@ -170,6 +170,7 @@ void writeExr(const Image& image, const std::filesystem::path& path, const ExrSt
     }
     const std::vector<Part> parts = partsOf(image, storage.isMultipart);
     std::vector<OIIO::ImageSpec> specs;
+    specs.reserve(parts.size());
     for (const Part& part : parts) {
         specs.push_back(specOf(image, part, storage));
     }

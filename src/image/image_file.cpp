@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -52,7 +53,7 @@ void append(std::vector<std::byte>& bytes, const float value, const std::uint32_
         return;
     }
     const float inside = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
-    const auto word = static_cast<std::uint16_t>(inside * 65535.0f + 0.5f);
+    const auto word = static_cast<std::uint16_t>(std::lround(inside * 65535.0f));
     bytes.insert(bytes.end(), 2, std::byte{});
     std::memcpy(&bytes[bytes.size() - 2], &word, 2);
 }

@@ -94,7 +94,7 @@ std::vector<ChannelRun> addChannels(const OIIO::ImageSpec& spec, const bool isEx
 }
 
 bool readRows(OIIO::ImageInput& input, const int part, const OIIO::ImageSpec& spec, const ChannelRun& run,
-              const int yBegin, const int yEnd, const OIIO::TypeDesc type, void* const rows) {
+              const int yBegin, const int yEnd, const OIIO::TypeDesc& type, void* const rows) {
     if (spec.tile_width > 0) {
         return input.read_tiles(part, 0, spec.x, spec.x + spec.width, yBegin, yEnd, spec.z, spec.z + 1,
                                 run.begin, run.end, type, rows);
@@ -105,7 +105,7 @@ bool readRows(OIIO::ImageInput& input, const int part, const OIIO::ImageSpec& sp
 // Reads the run's values of some rows and appends them to `values`, of which a pixel has `stride`.
 template <class T>
 bool appendRows(OIIO::ImageInput& input, const int part, const OIIO::ImageSpec& spec, const ChannelRun& run,
-                const int row, const int rows, const OIIO::TypeDesc type, const std::size_t stride,
+                const int row, const int rows, const OIIO::TypeDesc& type, const std::size_t stride,
                 std::vector<T>& values) {
     const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(spec.width);
     const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(spec.width);
