@@ -38,7 +38,7 @@ std::string wrappedLine(std::string line) {
             break;
         }
         text += line.substr(0, end) + "\n";
-        line = indent + line.substr(next);
+        line.replace(0, next, indent);
     }
     return text + line;
 }

@@ -76,6 +76,7 @@ std::string sectionOf(const Command& command, const std::string& before) {
 
 std::vector<std::string> wordsOf(const Command& command) {
     std::vector<std::string> words;
+    words.reserve(command.commands.size() + command.settings.all().size());
     for (const Command& nested : command.commands) {
         words.push_back(nested.name);
     }

@@ -5,6 +5,7 @@
 #include "metamarch/error/error.h"
 #include "metamarch/render/scene_hash.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ void applyFacts(const render::FilmFacts& facts, const std::string& file, Setting
             settings.at(name.substr(2)).set(value);
         } catch (const std::exception&) {
             throw Error(ErrorKind::inputRefused,
-                        file + ": has a setting that this version does not know: " + name);
+                        fmt::format("{}: has a setting that this version does not know: {}", file, name));
         }
     }
 }

@@ -46,6 +46,7 @@ void checkOutputsDiffer(const std::span<const NamedFile> outputs, const std::spa
 
 std::vector<NamedFile> companionsOf(const Scene& scene) {
     std::vector<NamedFile> companions;
+    companions.reserve(scene.files.size());
     for (const std::filesystem::path& file : scene.files) {
         companions.push_back({fmt::format("SCENE's {}", file.filename().string()), file});
     }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -20,7 +21,7 @@ double secondsSince(const Clock::time_point time) {
 
 // "1:02:03" or "2:03".
 std::string clockText(const double seconds) {
-    const auto whole = static_cast<long long>(seconds + 0.5);
+    const auto whole = std::llround(seconds);
     const long long hours = whole / 3600;
     return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, whole / 60 % 60, whole % 60)
                      : fmt::format("{}:{:02}", whole / 60, whole % 60);
