@@ -120,7 +120,10 @@ Command makeViewCommand() {
     const auto options = std::make_shared<ViewOptions>();
     Command command{"view", "Look at a scene in a window", {}, {}, {}, {}};
     SettingList& settings = command.settings;
-    settings.positional("SCENE", options->scenePath, "glTF, GLB, OBJ, PLY, OFF or STL file");
+    settings
+        .positional("SCENE", options->scenePath,
+                    "glTF, GLB, OBJ, PLY, OFF or STL file (default: an empty window, to drop one on)")
+        .optional();
     settings.size("size", options->size, "Width and height of the window");
     settings.flag("no-panels", options->hasNoPanels, "Begin without panels (Tab shows them)");
     declareCamera(settings, options->view);
@@ -133,6 +136,7 @@ Command makeViewCommand() {
                      "Another traversal on the right half of the window");
     declareIntegrator(settings, options->path, kFilmIntegrators);
     std::vector<std::string> views;
+    views.reserve(render::kViewNames.size());
     for (const render::ViewName& known : render::kViewNames) {
         views.emplace_back(known.name);
     }

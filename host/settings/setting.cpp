@@ -116,6 +116,10 @@ Setting& Setting::required() {
     isRequired_ = true;
     return *this;
 }
+Setting& Setting::optional() {
+    isRequired_ = false;
+    return *this;
+}
 Setting& Setting::slides(const Slider& range) {
     slider_ = range;
     return *this;

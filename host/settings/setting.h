@@ -72,6 +72,7 @@ class Setting {
     Setting& excludes(std::vector<std::string> others);
     Setting& needs(std::vector<std::string> others); // all of them
     Setting& required();
+    Setting& optional(); // a positional that may be left out
     Setting& slides(const Slider& range);
 
   private:

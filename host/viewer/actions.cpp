@@ -107,9 +107,13 @@ ViewCamera firstCamera(const LoadedScene& scene, const float aspect) {
                            : ofFile(*scene.whole, 0, distanceTo(scene.bounds, cameras[0].eye));
 }
 
+bool needsScene(const Action action) {
+    return action != Action::toggleHelp && action != Action::togglePanels;
+}
+
 bool perform(const Action action, const vulkan::DeviceReport& device, ViewerState& state) {
     Settings& settings = state.settings;
-    if (action != Action::undoView && action != Action::redoView) {
+    if (needsScene(action) && action != Action::undoView && action != Action::redoView) {
         state.history.keep(state.camera);
     }
     switch (action) {
@@ -182,6 +186,7 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         return true;
     case Action::printCamera:
     case Action::saveScreenshot:
+    case Action::saveWindow:
     case Action::saveExr:
     case Action::reload:
     case Action::quit:

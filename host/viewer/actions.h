@@ -13,7 +13,10 @@ float distanceTo(const Bounds& scene, const glm::vec3& eye);
 // file, or, if it has none, one that sees the whole scene.
 ViewCamera firstCamera(const LoadedScene& scene, float aspect);
 
-// Performs `action`. Call it only with a scene. Returns false, and does nothing, for an action that needs
+// Returns false for an action that a window without a scene can perform too.
+bool needsScene(Action action);
+
+// Performs `action`. Returns false, and does nothing, for an action that needs
 // more than the state: printing, saving, reading and quitting.
 bool perform(Action action, const vulkan::DeviceReport& device, ViewerState& state);
 

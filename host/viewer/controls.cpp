@@ -44,7 +44,7 @@ constexpr KeyHelp kHelp[] = {
     {"- =", "exposure"},
     {"Space", "play the animations, or pause"},
     {"Left Right", "a 24th of a second back or on"},
-    {"P", "screenshot (PNG)"},
+    {"P, Shift+P", "save the picture (PNG); all that the window shows"},
     {"Ctrl+S", "save the film (EXR)"},
     {"R", "read the file again"},
     {"Tab", "panels"},
@@ -244,7 +244,7 @@ void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
         actions.push_back(Action::printCamera);
         break;
     case GLFW_KEY_P:
-        actions.push_back(Action::saveScreenshot);
+        actions.push_back(isShifted ? Action::saveWindow : Action::saveScreenshot);
         break;
     case GLFW_KEY_R:
         actions.push_back(Action::reload);

@@ -183,6 +183,9 @@ void drawOverlay(const ViewerState& state) {
     if (state.settings.view && isHeatMap(*state.settings.view)) {
         drawLegend(state);
     }
+}
+
+void drawBusy(const ViewerState& state) {
     if (!state.busy.empty() && !state.playback.isPlaying) {
         drawLabel({12.0f, static_cast<float>(state.size.y) - 2.0f * ImGui::GetFontSize()}, state.busy);
     }

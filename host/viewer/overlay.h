@@ -9,6 +9,9 @@ namespace metamarch::viewer {
 // Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(const ViewerState& state);
 
+// Says what the window waits for. Call it within a frame of Dear ImGui.
+void drawBusy(const ViewerState& state);
+
 // Draws the newest messages for a few seconds. Call it within a frame of Dear ImGui.
 void drawMessages(const ViewerState& state);
 

@@ -393,6 +393,25 @@ void listMessages(const ViewerState& state) {
     }
 }
 
+// What a window without a scene shows.
+void drawInvitation(ViewerState& state) {
+    const glm::vec2 middle = 0.5f * glm::vec2(state.size);
+    ImGui::SetNextWindowPos({middle.x, middle.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("Empty", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    line("drop a scene or an HDR here");
+    for (std::size_t i = 0; i < state.recent.size(); ++i) {
+        const std::filesystem::path& file = state.recent[i];
+        if (ImGui::Selectable(fmt::format("{}##recent{}", file.filename().string(), i).c_str())) {
+            state.opened.push_back(file);
+        }
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", file.string().c_str());
+        }
+    }
+    ImGui::End();
+}
+
 bool header(const char* const name, const bool isOpen) {
     return ImGui::CollapsingHeader(name, isOpen ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
@@ -416,6 +435,9 @@ void drawPanels(ViewerState& state) {
     }
     if (state.settings.hasHelp) {
         drawHelpWindow(state);
+    }
+    if (state.file.empty()) {
+        drawInvitation(state);
     }
     if (!state.settings.hasPanels) {
         return;

@@ -79,4 +79,11 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     return fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
 }
 
+std::string PictureSaver::saveWindow(const std::vector<std::uint32_t>& pixels, const glm::uvec2 size,
+                                     const std::filesystem::path& scene) const {
+    const std::string name = freeName(scene.stem().string(), ".png");
+    writeImage(imageOf(pixels, size), name);
+    return fmt::format("saved {}, all that the window shows", fullPath(name));
+}
+
 } // namespace metamarch::viewer

@@ -6,7 +6,10 @@
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/vulkan/device.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace metamarch::viewer {
 
@@ -22,6 +25,10 @@ class PictureSaver {
     std::string save(const ProgressiveImage& progressive, const RenderRequest& request,
                      const std::string& traversal, const ViewerState& state, const std::string& ending,
                      const Denoiser* denoiser) const;
+
+    // The same for a PNG of the window's pixels: red, green, blue from the low byte on, rows from the top.
+    std::string saveWindow(const std::vector<std::uint32_t>& pixels, glm::uvec2 size,
+                           const std::filesystem::path& scene) const;
 
   private:
     std::string software;

@@ -8,6 +8,7 @@
 #include <array>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
+#include <cstring>
 #include <imgui.h>
 #include <limits>
 #include <utility>
@@ -250,7 +251,51 @@ void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&
                                   vk::SubpassContents::eInline);
     ImGui_ImplVulkan_RenderDrawData(ImGui::GetDrawData(), *commandBuffer);
     commandBuffer.endRenderPass();
+    if (std::exchange(isFrameWanted, false)) {
+        recordCopy(image);
+    }
     commandBuffer.end();
+}
+
+// Copies what the render pass has drawn.
+void Presenter::recordCopy(const std::uint32_t image) {
+    frameSize = chain->size();
+    frame.emplace(device, vulkan::BufferUse::readback, std::uint64_t{frameSize.x} * frameSize.y * 4, "frame");
+    const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
+    vk::ImageMemoryBarrier barrier(Access::eColorAttachmentWrite, Access::eTransferRead,
+                                   Layout::ePresentSrcKHR, Layout::eTransferSrcOptimal,
+                                   VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, chain->image(image),
+                                   whole);
+    commandBuffer.pipelineBarrier(Stage::eColorAttachmentOutput, Stage::eTransfer, {}, {}, {}, barrier);
+    commandBuffer.copyImageToBuffer(chain->image(image), Layout::eTransferSrcOptimal, frame->handle(),
+                                    vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
+                                                        {0, 0, 0}, {frameSize.x, frameSize.y, 1}));
+    std::swap(barrier.oldLayout, barrier.newLayout);
+    barrier.srcAccessMask = barrier.dstAccessMask = {};
+    const vk::MemoryBarrier toHost(Access::eTransferWrite, Access::eHostRead);
+    commandBuffer.pipelineBarrier(Stage::eTransfer, Stage::eHost | Stage::eBottomOfPipe, {}, toHost, {},
+                                  barrier);
+}
+
+bool Presenter::keepFrame() {
+    isFrameWanted = chain && chain->isReadable();
+    return isFrameWanted;
+}
+
+std::optional<Presenter::Frame> Presenter::takeFrame() {
+    if (!frame) {
+        return std::nullopt;
+    }
+    wait();
+    Frame copy{std::vector<std::uint32_t>(std::size_t{frameSize.x} * frameSize.y), frameSize};
+    std::memcpy(copy.pixels.data(), frame->mapped().data(), copy.pixels.size() * sizeof(std::uint32_t));
+    frame.reset();
+    if (chain->isBlueFirst()) {
+        for (std::uint32_t& pixel : copy.pixels) {
+            pixel = (pixel & 0xff00ff00u) | (pixel & 0xffu) << 16 | (pixel >> 16 & 0xffu);
+        }
+    }
+    return copy;
 }
 
 } // namespace metamarch::viewer

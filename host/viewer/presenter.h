@@ -6,6 +6,7 @@
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/submission.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -40,6 +41,16 @@ class Presenter {
     // previous frame.
     void endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint);
 
+    // Asks for a copy of the next frame that is shown, panels included. Returns false if the screen gives
+    // none.
+    bool keepFrame();
+    // Returns the copy once it is there: red, green and blue from the low byte on, rows from the top.
+    struct Frame {
+        std::vector<std::uint32_t> pixels;
+        glm::uvec2 size;
+    };
+    std::optional<Frame> takeFrame();
+
     // Waits until the last frame has been drawn. Call it before destroying anything that `paint` used.
     void wait();
 
@@ -49,6 +60,7 @@ class Presenter {
     void makeChain();
     void startPanels();
     void record(const std::function<void(vulkan::Commands&, const Screen&)>& paint, std::uint32_t image);
+    void recordCopy(std::uint32_t image);
     std::optional<std::uint32_t> acquire();
 
     const vulkan::Context& context;
@@ -61,6 +73,9 @@ class Presenter {
     glm::uvec2 screenSize{0};
     glm::uvec2 sizeBefore{0};
     bool isScreenEmpty = true;
+    bool isFrameWanted = false;
+    std::optional<vulkan::Buffer> frame; // the copy of a frame, on its way or there
+    glm::uvec2 frameSize{0};
     vk::raii::RenderPass renderPass = nullptr;
     std::vector<vk::raii::Framebuffer> framebuffers; // [image]
     std::vector<vk::raii::Semaphore> drawn;          // [image]

@@ -17,7 +17,16 @@ bool isMap(const std::filesystem::path& file) {
 
 } // namespace
 
+SceneSource::SceneSource(const SceneRequest& first, const Settings& settings) : first_(first) {
+    first_.import = settings.import;
+    first_.light = settings.light;
+    first_.path = settings.path;
+}
+
 void SceneSource::ask(ViewerState& state) {
+    if (state.file.empty()) {
+        return;
+    }
     SceneRequest request = first_;
     request.file = state.file;
     request.import = state.settings.import;
@@ -40,13 +49,18 @@ void SceneSource::takeDropped(const std::vector<std::filesystem::path>& files, V
         if (isMap(file)) {
             state.settings.light.kind = LightChoice::Kind::map;
             state.settings.light.map = file;
+            if (state.file.empty()) {
+                state.say(file.string() + " lights the next scene");
+            }
         } else {
-            const ImportOptions& before = state.settings.import;
-            state.file = file;
             state.settings.hiddenMeshes.clear();
-            // Another file has other scenes, variants and animations.
-            state.settings.import = {.scale = before.scale,
-                                     .allowMissingTextures = before.allowMissingTextures};
+            if (!state.file.empty()) {
+                // Another file has other scenes, variants and animations.
+                const ImportOptions& before = state.settings.import;
+                state.settings.import = {.scale = before.scale,
+                                         .allowMissingTextures = before.allowMissingTextures};
+            }
+            state.file = file;
         }
         ask(state);
     }
@@ -54,7 +68,7 @@ void SceneSource::takeDropped(const std::vector<std::filesystem::path>& files, V
 
 void SceneSource::goBack(const std::string& refusal, ViewerState& state) {
     state.say(refusal);
-    const SceneRequest& shown = state.scene->request;
+    const SceneRequest& shown = state.scene ? state.scene->request : first_;
     state.file = shown.file;
     state.settings.import = shown.import;
     state.settings.light = shown.light;
@@ -69,7 +83,7 @@ void SceneSource::goBack(const std::string& refusal, ViewerState& state) {
 void SceneSource::watch(const std::filesystem::path& file) {
     if (watchedFile_ != file) {
         watchedFile_ = file;
-        fileWatch_.watch({watchedFile_});
+        fileWatch_.watch(file.empty() ? std::vector<std::filesystem::path>() : std::vector{file});
     }
 }
 

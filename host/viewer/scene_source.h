@@ -16,14 +16,14 @@ namespace metamarch::viewer {
 
 class SceneSource {
   public:
-    // `first` is the scene of the command line. Later ones have its structure.
-    explicit SceneSource(const SceneRequest& first) : first_(first) {}
+    // `first` is the scene of the command line; its file may be empty. Later ones have its structure.
+    SceneSource(const SceneRequest& first, const Settings& settings);
 
     // Asks for the scene that the state's file and settings describe.
     void ask(ViewerState& state);
     // The same, and reads the files even if nothing else has changed.
     void readAgain(ViewerState& state);
-    // Asks for each of the files: a scene, or a map that lights the present one.
+    // Asks for each of the files: a scene, or a map that lights the present one or the next one.
     void takeDropped(const std::vector<std::filesystem::path>& files, ViewerState& state);
 
     bool isBusy() const { return loader_.isBusy(); }
@@ -31,13 +31,14 @@ class SceneSource {
     bool isFileGone() const { return fileWatch_.areGone(); }
     std::optional<SceneLoader::Answer> take() { return loader_.take(); }
 
-    // Shows the refusal, and resets file and settings to those of the scene that is shown.
+    // Shows the refusal, and resets file and settings to those of the scene that is shown, or of the command
+    // line if there is none.
     void goBack(const std::string& refusal, ViewerState& state);
 
   private:
     void watch(const std::filesystem::path& file);
 
-    const SceneRequest& first_;
+    SceneRequest first_;
     SceneLoader loader_;
     FileWatch fileWatch_;
     std::filesystem::path watchedFile_;

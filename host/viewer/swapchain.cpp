@@ -55,6 +55,8 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
                     fmt::format("{} cannot present to this window; choose another device", device.name()),
                     {"device"});
     }
+    const vk::ImageUsageFlags copying = limits.supportedUsageFlags & vk::ImageUsageFlagBits::eTransferSrc;
+    readable = copying != vk::ImageUsageFlags();
     const vk::SurfaceFormatKHR format = chooseFormat(device, surface);
     imageFormat = format.format;
     blueFirst = imageFormat == vk::Format::eB8G8R8A8Unorm;
@@ -73,7 +75,7 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
     info.imageColorSpace = format.colorSpace;
     info.imageExtent = vk::Extent2D(imageSize.x, imageSize.y);
     info.imageArrayLayers = 1;
-    info.imageUsage = usage;
+    info.imageUsage = usage | copying;
     info.preTransform = limits.currentTransform;
     info.compositeAlpha = chooseAlpha(limits);
     info.presentMode = chooseMode(device, surface);

@@ -21,6 +21,7 @@ class Swapchain {
     // Says whether blue is the first byte of a pixel. The format has 8 bits per channel and is not an sRGB
     // format, so the bytes are shown unchanged.
     bool isBlueFirst() const { return blueFirst; }
+    bool isReadable() const { return readable; } // its images can be copied from
     vk::Format format() const { return imageFormat; }
     glm::uvec2 size() const { return imageSize; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(images.size()); }
@@ -30,6 +31,7 @@ class Swapchain {
 
   private:
     bool blueFirst = false;
+    bool readable = false;
     vk::Format imageFormat = vk::Format::eUndefined;
     glm::uvec2 imageSize{0};
     vk::raii::SwapchainKHR swapchain = nullptr;

@@ -12,6 +12,7 @@
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
 #include "metamarch/viewer/presenter.h"
+#include "metamarch/viewer/recent_files.h"
 #include "metamarch/viewer/scene_source.h"
 #include "metamarch/viewer/shader_reload.h"
 #include "metamarch/viewer/split_view.h"
@@ -41,7 +42,7 @@ class Viewer {
         : options(usedOptions), window(system, options.size, "metamarch"),
           context(system.instanceExtensions()), device(context, options.device, vulkan::DeviceUse::window),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          scenes(options.scene), splitView(device) {
+          scenes(options.scene, options.settings), splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -54,6 +55,7 @@ class Viewer {
                 state.runnable.emplace_back(traversal);
             }
         }
+        state.recent = recentFiles.read();
         scenes.ask(state);
     }
 
@@ -89,6 +91,7 @@ class Viewer {
             const ViewCamera cameraBefore = state.camera;
             controls.apply(input, window, seconds, state);
             drawPanels(state);
+            scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
             play(seconds);
             follow(settingsBefore, cameraBefore);
@@ -96,18 +99,23 @@ class Viewer {
                 state.history.follow(state.camera, seconds);
                 drawOverlay(state);
             }
-            drawMessages(state);
+            drawBusy(state);
+            if (!isWindowWanted) { // messages do not belong into the picture
+                drawMessages(state);
+            }
             if (trace()) {
                 quietFrames = 0;
             }
             presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
                 splitView.paint(commands, screen, state.settings.splitAt);
             });
+            saveWindow();
             splitView.measure(state.statistics);
             window.setTitle(titleText());
         }
         if (scenes.isBusy()) {
-            // Reading cannot be interrupted, and nobody waits for its result.
+            // Reading cannot be interrupted, and nobody waits for its result. Nothing else is lost: kernels
+            // and recent files are on disk as soon as they are there.
             std::_Exit(EXIT_SUCCESS);
         }
     }
@@ -120,6 +128,9 @@ class Viewer {
 
     // --- scenes ---
 
+    // The program has no window to show without the scene that the command line names.
+    bool isFirstMissing() const { return !state.scene && !options.scene.file.empty(); }
+
     void takeScene() {
         std::optional<SceneLoader::Answer> answer = scenes.take();
         if (!answer) {
@@ -127,7 +138,7 @@ class Viewer {
         }
         state.busy.clear();
         if (!answer->scene) {
-            if (!state.scene) {
+            if (isFirstMissing()) {
                 throw *answer->refusal;
             }
             scenes.goBack(answer->refusal->what(), state);
@@ -136,7 +147,7 @@ class Viewer {
         try {
             showScene(std::move(answer->scene));
         } catch (const Error& error) {
-            if (!state.scene || isLost()) {
+            if (isFirstMissing() || isLost()) {
                 throw;
             }
             scenes.goBack(error.what(), state);
@@ -162,6 +173,7 @@ class Viewer {
         state.scene = std::move(loaded);
         state.camera = camera;
         if (isOther) {
+            recentFiles.add(state.file);
             state.history.start(camera);
             state.playback.isPlaying = false;
         }
@@ -234,7 +246,7 @@ class Viewer {
         for (const Action action : std::exchange(state.actions, {})) {
             if (action == Action::quit) {
                 window.close();
-            } else if (state.scene && !perform(action, device.report(), state)) {
+            } else if ((state.scene || !needsScene(action)) && !perform(action, device.report(), state)) {
                 act(action);
             }
         }
@@ -245,6 +257,11 @@ class Viewer {
             printCamera();
         } else if (action == Action::saveScreenshot) {
             save(".png");
+        } else if (action == Action::saveWindow) {
+            isWindowWanted = presenter.keepFrame();
+            if (!isWindowWanted) {
+                state.say("this screen gives no picture of the window");
+            }
         } else if (action == Action::saveExr) {
             save(".exr");
         } else if (action == Action::reload) {
@@ -269,6 +286,21 @@ class Viewer {
         } catch (const Error& error) {
             state.say(error.what());
         }
+    }
+
+    // Saves the window's picture, if that is wanted and there.
+    void saveWindow() {
+        const std::optional<Presenter::Frame> frame = presenter.takeFrame();
+        if (!frame) {
+            return;
+        }
+        isWindowWanted = false;
+        try {
+            state.say(saver.saveWindow(frame->pixels, frame->size, state.file));
+        } catch (const Error& error) {
+            state.say(error.what());
+        }
+        quietFrames = 0; // shows the message
     }
 
     // --- pictures ---
@@ -388,6 +420,9 @@ class Viewer {
     }
 
     std::string titleText() const {
+        if (state.file.empty()) {
+            return "metamarch";
+        }
         const Settings& settings = state.settings;
         const std::string seen =
             settings.view
@@ -416,9 +451,11 @@ class Viewer {
     std::unique_ptr<render::DeviceScene> deviceScene;
     SplitView splitView;    // uses the device scene and the denoiser
     double sincePose = 0.0; // seconds since an animation was posed last
+    RecentFiles recentFiles;
     bool isFileGone = false;
-    bool isStale = false;  // the picture must begin anew
-    bool isHalted = false; // there is no picture until a setting or the window's size changes
+    bool isWindowWanted = false; // a picture of it
+    bool isStale = false;        // the picture must begin anew
+    bool isHalted = false;       // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};
     int quietFrames = 0; // number of frames since something happened
 };

@@ -11,7 +11,7 @@
 namespace metamarch::viewer {
 
 struct ViewerOptions {
-    SceneRequest scene;
+    SceneRequest scene; // without a file the window is empty until one is dropped on it
     Settings settings;
     // Returns the camera that the scene is first seen with, in a picture with `aspect` = width / height.
     // Throws Error(invalidArgument) for a camera that the scene does not have.
@@ -23,8 +23,8 @@ struct ViewerOptions {
 };
 
 // Opens a window and returns when it is closed. Throws Error(noDevice) if there is no display or no device
-// that can present to it. Throws the Error of the first scene if that is refused; the window shows the errors
-// of later scenes.
+// that can present to it. Throws the Error of the scene that the options name if that is refused; the window
+// shows the errors of later scenes.
 void runViewer(const ViewerOptions& options);
 
 } // namespace metamarch::viewer

@@ -69,7 +69,8 @@ enum class Action {
     previousFrame,
     nextCamera,
     printCamera,
-    saveScreenshot,
+    saveScreenshot, // the picture alone
+    saveWindow,     // with panels and lines
     saveExr,
     reload,
     nextTraversal,
@@ -116,7 +117,7 @@ struct ViewerState {
     ViewerState(const ViewerState&) = delete; // the controls refer to the settings
     ViewerState& operator=(const ViewerState&) = delete;
 
-    std::filesystem::path file;
+    std::filesystem::path file; // empty: none has been chosen yet
     Settings settings;
     SettingList controls;      // the panel shows all of them
     SettingList lightControls; // the panel shows those that apply to the chosen kind of light
@@ -138,6 +139,8 @@ struct ViewerState {
     Playback playback;
 
     std::vector<Action> actions;
+    std::vector<std::filesystem::path> recent; // scenes to choose from while there is none
+    std::vector<std::filesystem::path> opened; // files that were chosen, to be taken as if they were dropped
 
     void say(const std::string& line);
 

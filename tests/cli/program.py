@@ -154,7 +154,8 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.tmp = Path(folder.name) / "work"
         self.tmp.mkdir()
-        self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(CACHE)}
+        self.environment = {"METAMARCH_VALIDATION": "1", "XDG_CACHE_HOME": str(CACHE),
+                            "XDG_STATE_HOME": str(CACHE / "state")}
 
     def run_program(self, *words, cwd=None, **environment):
         words = [str(word) for word in words]

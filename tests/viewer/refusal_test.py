@@ -18,7 +18,6 @@ class RefusalTest(ViewerTest):
 
     def test_bad_arguments(self):
         for words, line in (
-                ((), r"view: SCENE is required .*"),
                 ((CORNELL, "--view", "sideways"), r"--view sideways: give steps, .* or exit boxes"),
                 ((CORNELL, "--traversal", "nap"), r"--traversal nap: give meta_table, .*"),
                 ((CORNELL, "--split", "nap"), r"--split nap: give meta_table, .*"),

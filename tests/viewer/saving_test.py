@@ -35,6 +35,20 @@ class SavingTest(ViewerTest):
         self.assertEqual([file.name for file in self.tmp.iterdir()], ["cornell_001.png"])
         self.quit(viewer)
 
+    def test_with_what_lies_over_it(self):
+        viewer = self.open(CORNELL, "--spp", "1", "--view", "normals")
+        viewer.click(80, 90)  # marks a triangle
+        shown = viewer.wait_for_still()
+        viewer.key("Shift_L", "p")
+        viewer.wait_for_line(f"saved {self.tmp}/cornell_001.png, all that the window shows")
+        self.assertEqual(self.pixels("cornell_001.png"), shown)
+        viewer.key("p")
+        viewer.wait_for_line(f"saved {self.tmp}/cornell_002.png")
+        viewer.key("Escape")
+        plain = viewer.wait_for_still_other_than(shown)
+        self.assertEqual(self.pixels("cornell_002.png"), plain)
+        self.quit(viewer)
+
     def test_a_folder_that_takes_no_files(self):
         viewer = self.open(CORNELL, "--spp", "1")
         viewer.wait_for_samples()

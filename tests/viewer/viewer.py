@@ -262,11 +262,11 @@ class ViewerTest(ProgramTest):
         cls.addClassCleanup(cls.display.close)
 
     def open(self, scene, *words, size="160x120", panels=False, environment=None):
-        """Opens a viewer; quit() closes it."""
+        """Opens a viewer, without a scene if that is None; quit() closes it."""
         hidden = () if panels else ("--no-panels",)
-        viewer = Viewer(self, [scene, "--size", size, *hidden, *words], environment)
+        viewer = Viewer(self, [*([scene] if scene else []), "--size", size, *hidden, *words], environment)
         self.addCleanup(viewer.end)
-        viewer.wait_for_title(READY)
+        viewer.wait_for_title(READY if scene else "metamarch")
         return viewer
 
     def quit(self, viewer):
