@@ -15,13 +15,17 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <future>
 #include <limits>
 #include <new>
+#include <pthread.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace py = pybind11;
@@ -426,7 +430,20 @@ void addTracer(py::module_& module) {
     });
 }
 
+// Ends the process without what libraries do then.
+void leaveAtOnce(const int status, void*) {
+    std::fflush(nullptr);
+    _exit(status);
+}
+
+// Libraries below OpenImageIO start threads when they are loaded, and wait for them at exit. A forked process
+// has no such threads, and would wait for ever. Python has ended before exit() calls leaveAtOnce.
+void endForksAtOnce() {
+    pthread_atfork(nullptr, nullptr, [] { on_exit(leaveAtOnce, nullptr); });
+}
+
 PYBIND11_MODULE(_native, module) {
+    endForksAtOnce();
     addErrors(module);
     py::register_exception_translator(translate);
     module.attr("version") = cli::programVersion();

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Tests the Python module against the program, which writes the same bytes, and against closed forms."""
-import atexit
 import inspect
 import json
 import math
@@ -263,13 +262,21 @@ class Module(program.ProgramTest):
         for call in calls:
             self.assertRegex(self.forked(call), '^InvalidArgument: .* forked off .* "spawn" of multiprocessing$')
 
-        def leave():
-            objects.clear()
-            atexit._run_exitfuncs()
-            return "left"
-
-        self.assertEqual(self.forked(leave), "left")
+        self.assertEqual(self.forked(objects.clear), "None")
         busy.join()
+
+    def test_a_fork_ends(self):
+        code = ("import os, signal, sys, metamarch\n"
+                "scene = metamarch.load(sys.argv[1])\n"
+                "metamarch.render(scene, size=(2, 2), spp=1, backend='gpu', integrator='primary')\n"
+                "del scene\n"  # only the module keeps the device now
+                "child = os.fork()\n"
+                "if child == 0:\n"
+                "    signal.alarm(60)\n"  # ends a process that hangs
+                "else:\n"
+                "    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n")
+        done = subprocess.run([sys.executable, "-c", code, CORNELL], cwd=self.tmp, capture_output=True, text=True, check=False)
+        self.assertEqual((done.stdout, done.stderr), ("0\n", ""))
 
     def test_a_tracer_leaves_when_the_device_is_free(self):
         # Its command buffer is of the device's pool, which only one thread may use.
