@@ -37,6 +37,7 @@ constexpr std::uint64_t kMostDescription = std::uint64_t{64} << 20u;
 // First hits as the file has them; none if the film has none.
 std::vector<std::uint32_t> hitWordsOf(const FilmData& film) {
     std::vector<std::uint32_t> words;
+    words.reserve(film.hits.size());
     for (const std::vector<HitCount>& hits : film.hits) {
         words.push_back(static_cast<std::uint32_t>(hits.size()));
     }

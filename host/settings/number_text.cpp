@@ -120,7 +120,7 @@ PixelRect parseRect(const std::string& text) {
 std::string shortestText(const std::function<std::string(int digits)>& textWith,
                          const std::function<bool(const std::string& text)>& readsBack) {
     for (int digits = 6; digits < std::numeric_limits<double>::max_digits10; ++digits) {
-        const std::string text = textWith(digits);
+        std::string text = textWith(digits);
         if (readsBack(text)) {
             return text;
         }
