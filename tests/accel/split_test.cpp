@@ -60,6 +60,7 @@ struct SplitCase {
     std::size_t references;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const SplitCase& splitCase, std::ostream* out) { *out << splitCase.name; }
 
 const SplitCase kCases[] = {

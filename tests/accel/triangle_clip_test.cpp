@@ -63,6 +63,7 @@ struct ClipCase {
     glm::dvec3 resolution;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const ClipCase& clipCase, std::ostream* out) { *out << clipCase.name; }
 
 const ClipCase kCases[] = {

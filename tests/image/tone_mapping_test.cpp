@@ -12,6 +12,7 @@
 
 namespace metamarch {
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const ToneOperatorName& name, std::ostream* out) { *out << name.name; }
 
 namespace {

@@ -18,6 +18,7 @@ struct GpuPathScene {
 };
 
 // GoogleTest prints parameters with this function.
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 inline void PrintTo(const GpuPathScene& scene, std::ostream* out) { *out << scene.name; }
 
 const std::vector<GpuPathScene>& gpuPathScenes();

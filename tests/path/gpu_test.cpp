@@ -124,6 +124,7 @@ struct FileScene {
     std::string file; // in the folder of shared scenes, or "scenes/..." for one of the project's
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const FileScene& scene, std::ostream* out) { *out << scene.name; }
 
 class PathGpuFile : public testing::TestWithParam<FileScene> {

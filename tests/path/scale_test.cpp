@@ -19,6 +19,7 @@ struct Place {
     float offset;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const Place& place, std::ostream* out) {
     *out << "scaled by " << place.scale << ", moved by " << place.offset;
 }

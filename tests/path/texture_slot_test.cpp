@@ -25,6 +25,7 @@ struct Slot {
     std::function<void(Material&)> prepare; // makes the texture have an effect
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const Slot& slot, std::ostream* out) { *out << slot.name; }
 
 void blended(Material& m) { m.alphaMode = AlphaMode::blend; }

@@ -123,6 +123,7 @@ struct InspectedScene {
     AccelerationOptions options{};
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const InspectedScene& scene, std::ostream* out) { *out << scene.name; }
 
 class Inspector : public testing::TestWithParam<InspectedScene> {

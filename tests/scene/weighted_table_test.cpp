@@ -164,9 +164,9 @@ TEST(EnvironmentTables, drawTheWholeSphereAlikeWhereTheLightIs) {
 // The bilinear tent of a texel reaches the four cells around it, across the seam too.
 TEST(EnvironmentTables, spreadATexelOverItsCells) {
     Environment map = flat(8, 8, 0.0f);
-    map.texels[3 * 8 + 0] = glm::vec3(1.0f);
+    map.texels[24] = glm::vec3(1.0f); // the first of row 3
     const EnvironmentTables tables = makeEnvironmentTables(map);
-    EXPECT_EQ(tables.weights[3 * 8], 64.0f);
+    EXPECT_EQ(tables.weights[24], 64.0f);
     for (std::uint32_t row = 0; row < 9; ++row) {
         for (std::uint32_t x = 0; x < 8; ++x) {
             const bool isBeside = (row == 3 || row == 4) && (x == 0 || x == 7);
@@ -178,14 +178,14 @@ TEST(EnvironmentTables, spreadATexelOverItsCells) {
 // A normal draws blocks by the cosine; those below its horizon not at all.
 TEST(EnvironmentTables, knowTheCosine) {
     const EnvironmentTables tables = makeEnvironmentTables(flat(64, 32, 1.0f));
-    const std::span up(&tables.blocks[normalBin(vec3(0, 1, 0)) * kMapBlocks], kMapBlocks);
-    const auto chance = [&](std::uint32_t row) {
+    const std::span up(&tables.blocks[std::size_t{normalBin(vec3(0, 1, 0))} * kMapBlocks], kMapBlocks);
+    const auto chance = [&](std::size_t row) {
         return up[row * kBlocksAcross].upTo - up[row * kBlocksAcross].from;
     };
     EXPECT_GT(chance(3), 0.0f);
     EXPECT_EQ(chance(6), 0.0f);
-    EXPECT_GT(up[1 * kBlocksAcross].probability, 2.0f * up[3 * kBlocksAcross].probability);
-    EXPECT_EQ(up[6 * kBlocksAcross].probability, 0.0f);
+    EXPECT_GT(up[kBlocksAcross].probability, 2.0f * up[std::size_t{3} * kBlocksAcross].probability);
+    EXPECT_EQ(up[std::size_t{6} * kBlocksAcross].probability, 0.0f);
 }
 
 TEST(EnvironmentTables, takeMapsOfOneTexelAndOfNoLight) {

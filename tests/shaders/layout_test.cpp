@@ -29,6 +29,7 @@
 
 namespace metamarch {
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const Shader& shader, std::ostream* out) {
     *out << shader.kernel << " " << shader.traversal
          << (shader.memory == Memory::texel ? " texel" : " storage");
@@ -49,6 +50,7 @@ struct StructLayout {
     std::vector<MemberLayout> members;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 void PrintTo(const StructLayout& layout, std::ostream* out) { *out << layout.name; }
 
 #define MEMBER(Struct, member)                                                                               \

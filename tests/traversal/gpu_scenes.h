@@ -19,6 +19,7 @@ struct GpuScene {
 };
 
 // GoogleTest prints parameters with this function.
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it by this name
 inline void PrintTo(const GpuScene& scene, std::ostream* out) { *out << scene.name; }
 
 const std::vector<GpuScene>& gpuScenes();
