@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 
 namespace metamarch::tests {
@@ -69,7 +72,8 @@ void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPi
 void expectSameLight(const std::vector<LightParts>& light, const std::vector<LightParts>& expected) {
     ASSERT_EQ(light.size(), expected.size());
     for (std::size_t i = 0; i < light.size(); ++i) {
-        ASSERT_EQ(std::memcmp(&light[i], &expected[i], sizeof(LightParts)), 0) << "pixel " << i;
+        using Words = std::array<std::uint32_t, sizeof(LightParts) / 4>;
+        ASSERT_EQ(std::bit_cast<Words>(light[i]), std::bit_cast<Words>(expected[i])) << "pixel " << i;
     }
 }
 

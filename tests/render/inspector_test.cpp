@@ -259,7 +259,7 @@ TEST_F(InspectorWork, startsAnewBeforeThePictureIsWhole) {
     const Camera smaller = sides.camera(33, 21);
     expectSamePicture(draw(inspector, smaller, kViewLeafId, 1.0f),
                       sides.onCpu(kDefaultTraversal, smaller, kViewLeafId, 1.0f), 33);
-    EXPECT_EQ(inspector.picture().size(), 90u * 70u * sizeof(std::uint32_t));
+    EXPECT_EQ(inspector.picture().size(), std::size_t{90} * 70 * sizeof(std::uint32_t));
 }
 
 TEST_F(InspectorWork, refusesWhatItHasNoRoomForAndWhatIsNoView) {

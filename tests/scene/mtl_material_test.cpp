@@ -364,6 +364,7 @@ TEST_F(MtlMaterial, LayersOfThePhysicalExtension) {
 // A ramp that rises by 1 / 255 from texel to texel has the slope of that height over one texel.
 TEST_F(MtlMaterial, BumpMapsAreHeights) {
     std::vector<unsigned char> ramp;
+    ramp.reserve(200);
     for (int x = 0; x < 200; ++x) {
         ramp.push_back(static_cast<unsigned char>(x));
     }

@@ -79,7 +79,7 @@ std::string pngFile(std::uint32_t width, std::uint32_t height, int channels,
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(rows)) + chunk("IEND", "");
 }
 
-std::string onePixelPng(std::vector<unsigned char> rgba) { return pngFile(1, 1, 4, rgba); }
+std::string onePixelPng(const std::vector<unsigned char>& rgba) { return pngFile(1, 1, 4, rgba); }
 
 std::string jpegFile() {
     return fromBase64(

@@ -13,7 +13,7 @@ std::string pngFile(std::uint32_t width, std::uint32_t height, int channels,
                     const std::vector<unsigned char>& samples, int bitsPerSample = 8);
 
 // Returns a single texel of this colour.
-std::string onePixelPng(std::vector<unsigned char> rgba);
+std::string onePixelPng(const std::vector<unsigned char>& rgba);
 
 // Returns 8 x 8 texels of grey 200.
 std::string jpegFile();
