@@ -9,6 +9,7 @@
 #include "metamarch/accel/cell_box.h"
 #include "metamarch/accel/reference_boxes.h"
 #include "metamarch/shared/march.h"
+#include "metamarch/shared/reference_box.h"
 #include "metamarch/shared/triangle.h"
 
 #include <gtest/gtest.h>
