@@ -31,9 +31,9 @@ class SceneBuffers : public testing::Test {
         return {vulkan::testDevice(), structure, shading, limit};
     }
 
-    // The scene has few cells, so that the records are by far the largest buffer.
+    // The scene has few cells and leaves, so that the records are by far the largest buffer.
     const Scene scene = triangleSoup(4000, 8);
-    const AccelerationStructure structure = buildAccelerationStructure(scene, {{}, 4096u, {}});
+    const AccelerationStructure structure = buildAccelerationStructure(scene, {{}, 4096u, 6u});
     const ShadingData shading = makeShadingData(scene);
 };
 
