@@ -116,6 +116,21 @@ TEST(ShadowCatcher, lampsAreNoObjects) {
     EXPECT_NEAR(caught.unblocked.g / caught.samples, sky + 3.0 * kHiddenSky, 3.0 * kNoise);
 }
 
+// Expects that no pixel of a square of the ground below 0.9 has any shadow. Returns the mean green that
+// reaches it.
+double lightWithoutShadow(PathScene& made) {
+    made.view = lookAt({0, 0.9f, 0}, {0, 0, 0}, {1, 0, 0});
+    made.view.verticalFov = 1.0f;
+    constexpr std::uint32_t kSamples = 8;
+    double reached = 0.0;
+    for (const LightParts& light : filmOf(made, {.samples = kSamples}).light) {
+        EXPECT_EQ(light.caught, static_cast<float>(kSamples));
+        EXPECT_EQ(light.reached, light.unblocked);
+        reached += static_cast<double>(light.reached.g);
+    }
+    return reached / (kSide * kSide * kSamples);
+}
+
 // Nothing else than a lamp, which also reflects, and which hides one light: no sample has any shadow.
 TEST(ShadowCatcher, groundWithoutObjectsIsTransparent) {
     PathScene made;
@@ -124,15 +139,7 @@ TEST(ShadowCatcher, groundWithoutObjectsIsTransparent) {
     addPointLight(made.scene, {0.1f, 3.0f, 0.0f}, 50.0f);
     addPointLight(made.scene, {4.0f, 3.0f, 0.0f}, 50.0f);
     made.surroundings.background = glm::vec3(0.5f);
-    made.view = lookAt({0, 0.9f, 0}, {0, 0, 0}, {1, 0, 0});
-    made.view.verticalFov = 1.0f;
-    float reached = 0.0f;
-    for (const LightParts& light : filmOf(made, {.samples = 3}).light) {
-        EXPECT_EQ(light.caught, 3.0f);
-        EXPECT_EQ(light.reached, light.unblocked);
-        reached += light.reached.g;
-    }
-    EXPECT_GT(reached, 0.5f * kSide * kSide * 3);
+    EXPECT_GT(lightWithoutShadow(made), 0.5);
 }
 
 // Two lamps that light each other: what one reflects of the other reaches the ground with and without
@@ -144,14 +151,7 @@ TEST(ShadowCatcher, lampsLightEachOther) {
     lamp.emissiveFactor = glm::vec3(3.0f);
     addQuad(made.scene, {1.0f, 0.2f, -1.0f}, {0, 0, 2}, {0, 0.8f, 0}, addMaterial(made.scene, lamp));
     addCatcher(made);
-    made.view = lookAt({0, 0.9f, 0}, {0, 0, 0}, {1, 0, 0});
-    made.view.verticalFov = 1.0f;
-    float reached = 0.0f;
-    for (const LightParts& light : filmOf(made, {.samples = 8}).light) {
-        EXPECT_EQ(light.reached, light.unblocked);
-        reached += light.reached.g;
-    }
-    EXPECT_GT(reached, 0.0f);
+    EXPECT_GT(lightWithoutShadow(made), 0.0);
 }
 
 // The dark half of an emissive texture is an object, and so is an unlit surface.
@@ -232,12 +232,18 @@ TEST(ShadowCatcher, takesLightFromObjects) {
     EXPECT_GT(caughtBy(made, {.samples = 64, .maxBounces = 4}).left().r, 1.02 * direct);
 }
 
-// A corner of two walls without objects. What is laid under it has the shadow of one wall on the other.
-TEST(ShadowCatcher, doesNotShadowItself) {
+// Everything else of the material is part of the catcher too.
+PathScene paperFloor() {
     PathScene made;
     made.scene.materials.push_back(lambert(glm::vec3(0.3f)));
     made.scene.materials.back().name = "paper";
     addQuad(made.scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    return made;
+}
+
+// A corner of two walls without objects. What is laid under it has the shadow of one wall on the other.
+TEST(ShadowCatcher, doesNotShadowItself) {
+    PathScene made = paperFloor();
     addQuad(made.scene, {-1, 0, -1}, {2, 0, 0}, {0, 2, 0}, 0);
     addCatcher(made, {CatcherChoice::Kind::material, 0.0f, "paper"});
     made.surroundings.background = glm::vec3(0.7f);
@@ -250,10 +256,7 @@ TEST(ShadowCatcher, doesNotShadowItself) {
 
 // Every shadow ray to the light, which is below a table, passes the table.
 TEST(ShadowCatcher, doesNotShadowItselfFromLights) {
-    PathScene made;
-    made.scene.materials.push_back(lambert(glm::vec3(0.3f)));
-    made.scene.materials.back().name = "paper";
-    addQuad(made.scene, {-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, 0);
+    PathScene made = paperFloor();
     addQuad(made.scene, {-1, 1, -1}, {0, 0, 2}, {2, 0, 0}, 0);
     addCatcher(made, {CatcherChoice::Kind::material, 0.0f, "paper"});
     addPointLight(made.scene, {0, 2, 0}, std::numbers::pi_v<float>);
