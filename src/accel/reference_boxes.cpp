@@ -25,33 +25,22 @@ class BoxBuilder {
     BoxBuilder(const Lattice& usedLattice, const std::span<const Leaf> usedLeaves,
                const std::span<const TriangleRecord> usedTriangles)
         : lattice(usedLattice), margin(referenceMargin(usedLattice)), leaves(usedLeaves),
-          triangles(usedTriangles), words(countWords(), kNoBox) {}
+          triangles(usedTriangles) {}
 
     Words run() {
         std::size_t end = leafEntry(static_cast<std::uint32_t>(leaves.size()));
         std::vector<std::size_t> firstGroups(leaves.size());
         for (std::size_t leafId = 0; leafId < leaves.size(); ++leafId) {
             firstGroups[leafId] = end;
-            end += groupsOf(leaves[leafId]);
+            end += (leaves[leafId].triangleCount + (kBoxesPerGroup - 1)) / kBoxesPerGroup;
         }
+        words.assign(end * kEntryWords, kNoBox);
         tbb::parallel_for(std::size_t{0}, leaves.size(),
                           [&](const std::size_t leafId) { fill(leafId, firstGroups[leafId]); });
         return std::move(words);
     }
 
   private:
-    static std::size_t groupsOf(const Leaf& leaf) {
-        return (leaf.triangleCount + (kBoxesPerGroup - 1)) / kBoxesPerGroup;
-    }
-
-    std::size_t countWords() const {
-        std::size_t groups = 0;
-        for (const Leaf& leaf : leaves) {
-            groups += groupsOf(leaf);
-        }
-        return (2 * leaves.size() + groups) * kEntryWords;
-    }
-
     // Returns the box of the part of the triangle in the leaf's exit box, with the margin, in steps of a
     // frame. The box is empty if there is no such part. No hit is outside the lattice.
     Box boxInSteps(const Leaf& leaf, const TriangleRecord& triangle) const {
