@@ -203,7 +203,7 @@ void declareRender(SettingList& settings, RenderOptions& options) {
         "denoise", options.isDenoised,
         "Remove noise with Open Image Denoise, if it is installed; in an EXR the channels noisy.* are "
         "the picture without it");
-    declareCatcher(settings, options.catcher);
+    declareCatcher(settings, options.catcher, options.path);
     declareStorage(settings, options.storage);
     declareCamera(settings, options.view);
     declareTone(settings, options.tone);

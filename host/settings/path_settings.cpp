@@ -48,7 +48,7 @@ void declareIntegrator(SettingList& list, PathChoice& path, const std::size_t in
         .oneOf(std::move(offered));
 }
 
-void declareCatcher(SettingList& list, CatcherChoice& catcher) {
+void declareCatcher(SettingList& list, CatcherChoice& catcher, PathChoice& path) {
     list.add(
             "shadow-catcher", Setting::Kind::value,
             {[&catcher](const std::string& text) { catcher = catcherOf(text); },
@@ -56,6 +56,12 @@ void declareCatcher(SettingList& list, CatcherChoice& catcher) {
             "A ground that only takes shadow: a plane at this height, or at the scene's lowest point (auto), "
             "or the surfaces of a material")
         .withValueName("y=HEIGHT|auto|MATERIAL");
+    list.number(
+            "catcher-reflection", path.catcherReflection, {0.0, 1.0, "a roughness from 0 to 1"},
+            "The ground also reflects the objects, like a polished floor of this roughness; 0: like a mirror "
+            "of glass")
+        .withValueName("ROUGHNESS")
+        .needs({"shadow-catcher"});
 }
 
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel) {

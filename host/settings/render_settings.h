@@ -28,7 +28,7 @@ void declareStorage(SettingList& list, PictureStorage& storage);
 // The integrators that the list offers are the first `integrators` of kIntegrators.
 void declareIntegrator(SettingList& list, PathChoice& path, std::size_t integrators);
 void declarePath(SettingList& list, PathChoice& path, std::uint32_t& samplesPerPixel);
-void declareCatcher(SettingList& list, CatcherChoice& catcher);
+void declareCatcher(SettingList& list, CatcherChoice& catcher, PathChoice& path);
 void declareLight(SettingList& list, LightChoice& light);
 void declareImport(SettingList& list, ImportOptions& options);
 void declareStructure(SettingList& list, AccelerationOptions& options);

@@ -111,21 +111,22 @@ SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
 // The light of samples in parts. The film has these sums only if kFilmLight is asked.
 //
 // emission, direct and indirect are the radiance, by the number of surfaces that scattered the light. A
-// sample whose camera ray meets the shadow catcher is in the other sums alone. Shadow is the quotient of two
-// of them, so they are kept apart until the end.
+// sample whose camera ray meets the shadow catcher is in the other sums: those of its shadow, or those of
+// what it mirrors, whose light is also in direct and indirect. Shadow is the quotient of two sums, so they
+// are kept apart until the end.
 struct LightParts {
-    vec3 emission; // by none: lights and surroundings as the camera sees them
-    float caught;  // number of samples that met the shadow catcher
-    vec3 direct;   // by one
+    vec3 emission;  // by none: lights and surroundings as the camera sees them
+    float caught;   // number of samples that met the shadow catcher
+    vec3 direct;    // by one
+    float mirrored; // part of the samples that met the catcher which objects in its mirror cover
+    vec3 indirect;  // by more than one
     float padding0;
-    vec3 indirect; // by more than one
-    float padding1;
     vec3 reached; // what a white catcher reflects
-    float padding2;
+    float padding1;
     vec3 unblocked; // what it would reflect if the lights were there without the objects
-    float padding3;
+    float padding2;
     vec3 behind; // radiance of what the camera sees behind the catcher
-    float padding4;
+    float padding3;
 };
 
 SHARED_FN LightParts makeLightParts(const vec3 emission, const vec3 direct, const vec3 indirect) {
@@ -135,10 +136,17 @@ SHARED_FN LightParts makeLightParts(const vec3 emission, const vec3 direct, cons
 
 SHARED_FN LightParts noLight() { return makeLightParts(vec3(0.0f), vec3(0.0f), vec3(0.0f)); }
 
-// Returns the light of one sample that met the shadow catcher.
+// Returns the light of one sample that met the shadow catcher and measured its shadow.
 SHARED_FN LightParts caughtLight(const vec3 reached, const vec3 unblocked, const vec3 behind) {
     return LightParts(vec3(0.0f), 1.0f, vec3(0.0f), 0.0f, vec3(0.0f), 0.0f, reached, 0.0f, unblocked, 0.0f,
                       behind, 0.0f);
+}
+
+// Returns the light of one sample that met the shadow catcher and followed its mirror. `parts` is the light
+// that it found there.
+SHARED_FN LightParts mirroredLight(const LightParts parts, const float mirrored, const vec3 behind) {
+    return LightParts(parts.emission, 1.0f, parts.direct, mirrored, parts.indirect, 0.0f, vec3(0.0f), 0.0f,
+                      vec3(0.0f), 0.0f, behind, 0.0f);
 }
 
 // Adds light that `scatterings` surfaces have scattered.
@@ -155,9 +163,9 @@ SHARED_FN LightParts addLight(const LightParts parts, const uint scatterings, co
 }
 
 SHARED_FN LightParts addParts(const LightParts a, const LightParts b) {
-    return LightParts(a.emission + b.emission, a.caught + b.caught, a.direct + b.direct, 0.0f,
-                      a.indirect + b.indirect, 0.0f, a.reached + b.reached, 0.0f, a.unblocked + b.unblocked,
-                      0.0f, a.behind + b.behind, 0.0f);
+    return LightParts(a.emission + b.emission, a.caught + b.caught, a.direct + b.direct,
+                      a.mirrored + b.mirrored, a.indirect + b.indirect, 0.0f, a.reached + b.reached, 0.0f,
+                      a.unblocked + b.unblocked, 0.0f, a.behind + b.behind, 0.0f);
 }
 
 // Does for their light what addPixel does for `sum` and the block after it.
@@ -194,6 +202,7 @@ const uint kBindHits = 49u; // kBlockSamples words for each pixel
 
 SHARED_ASSERT_SIZE(LightParts, 96)
 SHARED_ASSERT_OFFSET(LightParts, direct, 16)
+SHARED_ASSERT_OFFSET(LightParts, mirrored, 28)
 SHARED_ASSERT_OFFSET(LightParts, indirect, 32)
 SHARED_ASSERT_OFFSET(LightParts, reached, 48)
 SHARED_ASSERT_OFFSET(LightParts, unblocked, 64)

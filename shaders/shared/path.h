@@ -45,9 +45,13 @@ struct Path {
     bool isOfLamp; // the ray from the catcher has met a lamp: what it reflects is there without objects too
     vec3 unblocked;
     vec3 behind;
+    bool isMirrored; // the path goes the way of the catcher's mirror, and `radiance` is what it finds there
+    float mirrored;  // LightParts::mirrored of this path
 };
 const uint kNoChannel = 3u;
 const float kLampPart = 0.5f; // see kindOf
+const float kMirrorPart =
+    0.5f; // of the samples that meet a catcher which mirrors, those that follow the mirror
 
 // A ray to a light, and the radiance that the path gains if nothing occludes the light.
 struct ShadowRay {
@@ -68,7 +72,7 @@ struct PathStep {
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
     return Path(origin, kCertain, dir, 0u, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel,
-                kAnyNormal, true, cone, media, false, false, vec3(0.0f), vec3(0.0f));
+                kAnyNormal, true, cone, media, false, false, vec3(0.0f), vec3(0.0f), false, 0.0f);
 }
 
 // Returns the number of surfaces that have scattered the path.
@@ -77,8 +81,11 @@ SHARED_FN uint scatterings(const Path path) {
 }
 
 // Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
-// ray has met.
-SHARED_FN bool isFromCatcher(const Path path) { return path.isCaught && path.bounce == 1u; }
+// ray has met, to measure shadow or to find what the catcher mirrors.
+SHARED_FN bool isFromCatcher(const Path path) {
+    return path.isCaught && path.bounce == 1u && !path.isMirrored;
+}
+SHARED_FN bool isFromMirror(const Path path) { return path.isMirrored && path.bounce == 1u; }
 
 // What a ray meets: nothing that is there for it, an object, or a lamp. With kFeatureCatcher.
 const uint kNothing = 0u;
@@ -154,14 +161,14 @@ SHARED_FN PathSample afterShadow(const PathSample lit, const vec3 gain, const In
     return next;
 }
 
-// Returns the radiance of a sample for the film. A sample of the shadow catcher has none. If one of its sums
-// is not sound, it has one that the film rejects.
+// Returns the radiance of a sample for the film. A sample of the catcher's shadow has none. If one of its
+// sums is not sound, it has one that the film rejects.
 SHARED_FN vec3 filmRadiance(const Path ended) {
     const bool isSound = isWithin(ended.radiance, kLargestRadiance) &&
                          isWithin(ended.unblocked, kLargestRadiance) &&
                          isWithin(ended.behind, kLargestRadiance);
     const vec3 ofCaught = isSound ? vec3(0.0f) : vec3(2.0f * kLargestRadiance);
-    return ended.isCaught ? ofCaught : ended.radiance;
+    return ended.isCaught && !ended.isMirrored ? ofCaught : ended.radiance;
 }
 
 // Adds a sample whose path has ended to the sums of its block.
@@ -177,16 +184,19 @@ SHARED_FN FilmPixel endSample(const FilmPixel sum, const PathSample ended) {
 SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended) {
     const Path path = ended.path;
     LightParts light = ended.light;
-    if (path.isCaught) {
+    if (path.isMirrored) {
+        light = mirroredLight(ended.light, path.mirrored, path.behind);
+    } else if (path.isCaught) {
         light = caughtLight(path.radiance, path.unblocked, path.behind);
     }
     return addSampleLight(sum, filmRadiance(path), light);
 }
 
 // Returns the material of surfaces that are not there for the rays of `path`. The catcher does not shadow
-// itself: what it is laid over in the end has these shadows already.
+// itself, and does not mirror itself: what it is laid over in the end has this already.
 SHARED_FN uint passedMaterial(const PathSettings settings, const Path path) {
-    return hasFeature(kFeatureCatcher) && isFromCatcher(path) ? settings.catcher : kNoCatcher;
+    const bool isPassed = isFromCatcher(path) || isFromMirror(path);
+    return hasFeature(kFeatureCatcher) && isPassed ? settings.catcher : kNoCatcher;
 }
 
 // Returns the settings for light between an emitter and a surface. How bright a hidden emitter would be in a
@@ -271,7 +281,9 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     Path ended = path;
     const vec3 whole = path.throughput * gain;
     const bool isSeen = (settings.strategies & kHideSurroundings) == 0u;
-    ended.gained = scatterings(path) > 0u       ? clampedGain(settings, whole)
+    const bool isOfMirror = hasFeature(SCENE kFeatureCatcher) && isFromMirror(path);
+    ended.gained = isOfMirror                   ? vec3(0.0f)
+                   : scatterings(path) > 0u     ? clampedGain(settings, whole)
                    : isSeen || path.bounce > 0u ? whole
                                                 : vec3(0.0f);
     ended.radiance = path.radiance + ended.gained;
@@ -404,7 +416,10 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     const Surface surface = loadSurface(SCENE triangle.triangleId);
     const bool isCatcher =
         hasFeature(SCENE kFeatureCatcher) && arriving.bounce == 0u && surface.material == settings.catcher;
-    const MaterialRecord record = loadMaterial(SCENE isCatcher ? settings.catcherWhite : surface.material);
+    const bool isMirror = isCatcher && settings.catcherMirror != kNoCatcher &&
+                          sample1d(at, bounceDimension(0u, kBounceMirror)) < kMirrorPart;
+    const uint ofCatcher = isMirror ? settings.catcherMirror : settings.catcherWhite;
+    const MaterialRecord record = loadMaterial(SCENE isCatcher ? ofCatcher : surface.material);
     const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
     const SurfacePoint point = makeSurfacePoint(triangle, weights);
     const float width = widthAt(arriving.cone, t);
@@ -465,18 +480,29 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         path.unblocked = path.unblocked + path.gained;
     }
 
-    const bool isLast = isUnlit || path.bounce > settings.maxBounces;
+    if (hasFeature(SCENE kFeatureCatcher)) {
+        path.isMirrored = path.isMirrored || isMirror;
+        path.mirrored = isFromMirror(path) ? largest(arriving.throughput) : path.mirrored;
+    }
+
+    // What the catcher mirrors looks as the camera would see it.
+    const uint maxBounces = settings.maxBounces + (path.isMirrored ? 1u : 0u);
+    const bool isLast = isUnlit || path.bounce > maxBounces;
     const uint bin = lightBin(SCENE bsdf);
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
         shadow = sampleLights(SCENE settings, path, bsdf, point, bin, path.media.first, behind, at);
-        shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed;
+        shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed && !isMirror;
     }
     Path next = scatter(path, record, medium, bsdf, point, bin, width, at);
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
     }
     next.isAlive = next.isAlive && !isLast;
+    if (hasFeature(SCENE kFeatureCatcher) && isMirror) {
+        next.throughput = next.throughput / kMirrorPart;
+        next.pdf = kCertain; // no light sample looks for what is in the mirror
+    }
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
     return PathStep(next, shadow, albedo, point.normal, frame.normal);
 }

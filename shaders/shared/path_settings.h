@@ -34,11 +34,11 @@ struct PathSettings {
     Media eyeMedia;        // what the camera's eye is inside of
     uint blockColumnShift; // log2 of the columns of cells in a block of the map
     uint blockRowShift;
-    uint catcher;      // with kFeatureCatcher, the material of the shadow catcher's surfaces
-    uint catcherWhite; // the material by which they measure shadow
+    uint catcher;       // with kFeatureCatcher, the material of the shadow catcher's surfaces
+    uint catcherWhite;  // the material by which they measure shadow
+    uint catcherMirror; // the material by which they mirror objects; kNoCatcher: they do not
     uint padding0;
     uint padding1;
-    uint padding2;
 };
 const uint kNoSun = 0xffffffffu;
 const uint kNoCatcher = 0xffffffffu;

@@ -25,11 +25,12 @@ const uint kDimensionFilter = 0u; // [2] position in the pixel
 const uint kDimensionLens = 1u;   // [2] position on the lens
 const uint kDimensionTime = 2u;   // [1] time within the shutter interval
 // The dimensions of bounce b are bounceDimension(b, ...); bounce 0 is the first hit.
-const uint kBounceLight = 0u;      // [2] choice of the light and of a point on it
-const uint kBounceLevel = 1u;      // [1] choice between two texture levels
-const uint kBounceLobe = 2u;       // [1] choice of the BSDF's lobe
-const uint kBounceDirection = 3u;  // [2] direction in the lobe
-const uint kBounceRoulette = 4u;   // [1] Russian roulette
+const uint kBounceLight = 0u;     // [2] choice of the light and of a point on it
+const uint kBounceLevel = 1u;     // [1] choice between two texture levels
+const uint kBounceLobe = 2u;      // [1] choice of the BSDF's lobe
+const uint kBounceDirection = 3u; // [2] direction in the lobe
+const uint kBounceRoulette = 4u;  // [1] Russian roulette
+const uint kBounceMirror = 4u; // [1] at the first hit, before roulette begins: choice of the catcher's mirror
 const uint kBounceChannel = 5u;    // [1] choice of the colour channel that a dispersive volume refracts
 const uint kBounceAlpha = 6u;      // [1] whether a triangle on the way to this hit is opaque: see sampleOf
 const uint kBounceLightAlpha = 7u; // [1] the same on the way to the light

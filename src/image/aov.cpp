@@ -41,9 +41,14 @@ glm::vec3 leftLight(const LightParts& light) {
     return left;
 }
 
+// Returns the part of the shadow catcher that objects in its mirror leave, 0 to 1.
+float unmirrored(const LightParts& light) {
+    return light.caught > 0.0f ? 1.0f - light.mirrored / light.caught : 1.0f;
+}
+
 // Returns the radiance of what is seen through the shadow catcher.
 glm::vec3 seenBehind(const AovPixel& pixel) {
-    return pixel.light.behind * leftLight(pixel.light) / counted(pixel);
+    return pixel.light.behind * leftLight(pixel.light) * (unmirrored(pixel.light) / counted(pixel));
 }
 
 glm::vec3 radianceOf(const AovPixel& pixel) {
@@ -53,8 +58,8 @@ glm::vec3 radianceOf(const AovPixel& pixel) {
 
 // It is not limited to 0: a mean of noise that is cut off on one side would be a haze over the ground.
 float coverageOf(const AovPixel& pixel) {
-    const float shadow = 1.0f - luminance(leftLight(pixel.light));
-    return (pixel.film.covered + pixel.light.caught * shadow) / counted(pixel);
+    const float left = luminance(leftLight(pixel.light)) * unmirrored(pixel.light);
+    return (pixel.film.covered + pixel.light.caught * (1.0f - left)) / counted(pixel);
 }
 
 // A channel is the mean over the pixel's samples unless its meaning says otherwise.
@@ -65,8 +70,8 @@ constexpr Aov kAovs[] = {
      .use = AovUse::always,
      .precision = AovPrecision::small},
     {.names = "A",
-     .meaning = "part of the pixel that something covers, or that a shadow catcher darkens, 0 to 1; "
-                "below 0 where objects brighten the catcher",
+     .meaning = "part of the pixel that something covers, or that a shadow catcher darkens or mirrors, "
+                "0 to 1; below 0 where objects brighten the catcher",
      .value = [](const AovPixel& pixel) { return glm::vec3(coverageOf(pixel)); },
      .use = AovUse::always,
      .precision = AovPrecision::small},

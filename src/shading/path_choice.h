@@ -5,6 +5,7 @@
 #include "metamarch/shared/path_settings.h"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -47,6 +48,8 @@ struct PathChoice {
     Brdf brdf = Brdf::compensated;
     bool isTransparent = false;          // the camera does not see what is all around
     std::uint32_t catcher = kNoMaterial; // the material whose surfaces only catch shadow
+    // Roughness of a polish, of refractive index 1.5, in which the catcher mirrors objects; none: no polish
+    std::optional<float> catcherReflection{};
 
     bool operator==(const PathChoice&) const = default;
 
@@ -63,7 +66,10 @@ struct PathChoice {
     }
 
     ShadingOptions shading() const {
-        return {.isSingleScatter = brdf == Brdf::gltf, .isWhite = isOcclusion(), .catcher = catcher};
+        return {.isSingleScatter = brdf == Brdf::gltf,
+                .isWhite = isOcclusion(),
+                .catcher = catcher,
+                .catcherReflection = catcherReflection};
     }
 };
 

@@ -83,6 +83,16 @@ Material whitened(const Material& material) {
     return white;
 }
 
+// Returns the material by which a polished catcher mirrors objects: it reflects as a dielectric does, and
+// nothing else. It is black so that the colours of vertices do not matter.
+Material mirrorOf(const float roughness) {
+    Material black;
+    black.baseColorFactor = glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    black.metallicFactor = 0.0f;
+    black.roughnessFactor = roughness;
+    return black;
+}
+
 void addSurfaces(const Scene& scene, ShadingScene& target) {
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
         const glm::uvec3 corners = scene.triangles[i];
@@ -124,14 +134,21 @@ ShadingScene makeShadingScene(const Scene& scene, const Surroundings& surroundin
     TexelStore texels(scene, chunkBytes, target);
     std::vector<glm::vec3> meanEmission;
     std::vector<Material> materials = materialsWithGrey(scene);
+    if (options.isWhite) {
+        std::ranges::transform(materials, materials.begin(), whitened);
+    }
     target.settings.catcher = options.catcher;
     if (options.catcher != kNoMaterial) {
         target.settings.catcherWhite = static_cast<std::uint32_t>(materials.size());
         target.features |= kFeatureCatcher;
         materials.push_back(whitened({}));
+        target.settings.catcherMirror = kNoCatcher;
     }
-    for (const Material& given : materials) {
-        const Material material = options.isWhite ? whitened(given) : given;
+    if (options.catcher != kNoMaterial && options.catcherReflection) {
+        target.settings.catcherMirror = static_cast<std::uint32_t>(materials.size());
+        materials.push_back(mirrorOf(*options.catcherReflection));
+    }
+    for (const Material& material : materials) {
         target.features |= featuresOf(material);
         target.materials.push_back(recordOf(material, options, texels));
         const glm::vec3 emission = target.materials.back().emission;

@@ -6,6 +6,7 @@
 #include "metamarch/shared/shading_scene.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace metamarch {
 
@@ -15,7 +16,8 @@ inline constexpr std::uint64_t kTexelChunkBytes = std::uint64_t{128} << 20u;
 struct ShadingOptions {
     bool isSingleScatter = false; // the BRDF `gltf`
     bool isWhite = false;         // the integrator `ao`: all surfaces are white, diffuse and not emissive
-    std::uint32_t catcher = kNoMaterial; // the material of the surfaces that only catch shadow
+    std::uint32_t catcher = kNoMaterial;      // the material of the surfaces that only catch shadow
+    std::optional<float> catcherReflection{}; // as in PathChoice
 
     bool operator==(const ShadingOptions&) const = default;
 };

@@ -286,6 +286,21 @@ class ChannelsTest(ProgramTest):
         merged = self.read_picture("merged.exr")
         self.assertEqual((merged["A"], merged["shadow.B"]), (box["A"], box["shadow.B"]))
 
+    def test_reflection_of_a_shadow_catcher(self):
+        """A card fills the mirror, 45 degrees below the camera: it covers the reflectance of a dielectric (C. Schlick 1994)."""
+        write_quads(self.tmp / "card.gltf", [((-9, 0.5, -9), (18, 0, 0), (0, 90, 0), 0.25)])
+        words = ("--spp", "4", "--background", "0.4,0.4,0.4", "--eye", "0,1,4", "--target", "0,0,3", "--vfov", "1", "--transparent")
+        catcher = ("--shadow-catcher", "y=0", "--aov", "shadow,direct,indirect")
+        plain = self.render(*words, *catcher, scene="card.gltf")
+        for roughness, delta in (("0", 1e-3), ("0.2", 1e-2)):
+            picture = self.render(*words, *catcher, "--catcher-reflection", roughness, scene="card.gltf")
+            y, x = HEIGHT // 2, WIDTH // 2
+            left = sum(weight * picture[f"shadow.{c}"][y][x] for c, weight in (("R", 0.2126), ("G", 0.7152), ("B", 0.0722)))
+            self.assertAlmostEqual(1 - (1 - picture["A"][y][x]) / left, 0.04 + 0.96 * (1 - 0.5 ** 0.5) ** 5, delta=delta)
+            self.assertGreater(picture["R"][y][x], 0)
+            self.assertAlmostEqual(picture["direct.R"][y][x] + picture["indirect.R"][y][x], picture["R"][y][x], places=6)
+        self.assertEqual(plain["R"][y][x], 0)
+
     def test_shadow_catcher_of_a_material(self):
         write_quads(self.tmp / "both.gltf", BOX + [((-9, 0, -9), (0, 0, 18), (18, 0, 0), 0.3)])
         words = ("--spp", "4", "--background", "0.4,0.4,0.4", "--eye", "1.5,3,2.5", "--target", "0,0.2,0", "--transparent")
@@ -371,6 +386,8 @@ class ChannelsTest(ProgramTest):
                                 ("-o a.exr --shadow-catcher y=inf", "give y=HEIGHT with a finite number"),
                                 ("-o a.exr --shadow-catcher auto --integrator primary", "has no shadows"),
                                 ("-o a.exr --shadow-catcher auto --noise-threshold 0.1", "give --spp alone"),
+                                ("-o a.exr --catcher-reflection 0.1", "needs --shadow-catcher"),
+                                ("-o a.exr --shadow-catcher auto --catcher-reflection 1.5", "give a roughness from 0 to 1"),
                                 ("-o a.exr --aov motion", "give the time"),
                                 ("-o a.exr --aov motion --frame-rate 24", "--time"),
                                 ("-o a.exr --aov motion --time 0 --frame-rate 0", "frames per second, from 0.001 to 1e6"),

@@ -387,6 +387,16 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
              }));
          },
          {.samples = 19, .maxBounces = 3, .filmParts = kFilmLight}},
+        {"shadow_catcher_with_reflection",
+         [] {
+             PathScene made = withCatcher(ballScene([](PathScene& of, Material&) {
+                 lamp(of);
+                 sky(of);
+             }));
+             made.options.catcherReflection = 0.2f;
+             return made;
+         },
+         {.samples = 19, .maxBounces = 3, .filmParts = kFilmLight}},
         // Rays from the catcher go on through all of the sheets to the lamp.
         {"shadow_catcher_under_sheets",
          [] {

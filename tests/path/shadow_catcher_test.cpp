@@ -30,6 +30,9 @@ struct Caught {
     glm::dvec3 reached{0.0};
     glm::dvec3 unblocked{0.0};
     glm::dvec3 behind{0.0};
+    glm::dvec3 direct{0.0};
+    glm::dvec3 indirect{0.0};
+    double mirrored = 0.0;
     double samples = 0.0;
 
     glm::dvec3 left() const { return reached / unblocked; }
@@ -41,6 +44,9 @@ Caught caughtBy(const PathScene& made, const PathWork& work) {
         sum.reached += glm::dvec3(light.reached);
         sum.unblocked += glm::dvec3(light.unblocked);
         sum.behind += glm::dvec3(light.behind);
+        sum.direct += glm::dvec3(light.direct);
+        sum.indirect += glm::dvec3(light.indirect);
+        sum.mirrored += light.mirrored;
         sum.samples += light.caught;
     }
     return sum;
@@ -294,6 +300,86 @@ TEST(ShadowCatcher, changesNothingElse) {
     }
     EXPECT_GT(objects, 5);
     EXPECT_GT(misses, 5);
+}
+
+// A card that shines, of which the camera sees the mirror image alone, 45 degrees below it.
+PathScene overMirror(const float roughness) {
+    PathScene made;
+    addQuad(made.scene, {5, -90, -90}, {0, 0, 180}, {0, 180, 0},
+            addMaterial(made.scene, unlit({0.5f, 1, 2})));
+    addCatcher(made);
+    made.options.catcherReflection = roughness;
+    made.view = lookAt({-1, 1, 0}, {0, 0, 0}, {0, 1, 0});
+    made.view.verticalFov = 1e-3f;
+    return made;
+}
+
+// Schlick's approximation for the refractive index 1.5, as in glTF 2.0, Appendix B.
+double reflectance(const double cosine) { return 0.04 + 0.96 * std::pow(1.0 - cosine, 5.0); }
+
+TEST(ShadowCatcher, mirrorsObjectsInClosedForm) {
+    PathScene made = overMirror(0.0f);
+    made.surroundings.background = glm::vec3(7.0f);
+    for (const std::uint32_t maxBounces : {0u, 4u}) {
+        const Caught caught = caughtBy(made, {.samples = 256, .maxBounces = maxBounces});
+        const double part = reflectance(std::sqrt(0.5)) * caught.samples;
+        EXPECT_EQ(caught.samples, kSide * kSide * 256);
+        EXPECT_NEAR(caught.mirrored, part, 1e-3 * part); // each aligned pair of samples has one in the mirror
+        EXPECT_NEAR(caught.direct.r, 0.5 * part, 1e-3 * part);
+        EXPECT_NEAR(caught.direct.b, 2.0 * part, 2e-3 * part);
+        EXPECT_EQ(caught.indirect, glm::dvec3(0.0));
+        EXPECT_NEAR(caught.unblocked.g, 3.5 * caught.samples, 1e-3 * caught.samples); // by the other half
+    }
+}
+
+// What is all around is seen through the ground, and not in it.
+TEST(ShadowCatcher, mirrorsNoSky) {
+    PathScene made = overMirror(0.4f);
+    made.scene.triangles.erase(made.scene.triangles.begin(), made.scene.triangles.begin() + 2);
+    for (std::vector<std::uint32_t>* const of : {&made.scene.triangleMesh, &made.scene.triangleMaterial}) {
+        of->erase(of->begin(), of->begin() + 2);
+    }
+    made.surroundings.background = glm::vec3(7.0f);
+    Sky above = makeSky({.width = 32});
+    made.surroundings.sun = above.sun;
+    const Caught caught = caughtBy(made, {.samples = 64});
+    EXPECT_EQ(caught.mirrored, 0.0);
+    EXPECT_EQ(caught.direct + caught.indirect, glm::dvec3(0.0));
+    EXPECT_EQ(caught.reached, caught.unblocked);
+}
+
+// A box and a lamp in a rough mirror, as a plain render of a polished black ground shows them.
+TEST(ShadowCatcher, mirrorsAsPlainRendersDo) {
+    PathScene made;
+    addBox(made.scene, {-0.6f, 0.02f, -1.0f}, {0.4f, 1.0f, 0.0f},
+           addMaterial(made.scene, lambert(glm::vec3(0.9f, 0.5f, 0.2f))));
+    addQuad(made.scene, {-2.0f, 0.2f, -1.5f}, {1, 0, 0}, {0, 1, 0},
+            addMaterial(made.scene, emitter({4, 6, 9})));
+    Material ground = lambert(glm::vec3(0.0f));
+    ground.specularFactor = 1.0f;
+    ground.roughnessFactor = 0.3f;
+    addQuad(made.scene, {-60, 0, -60}, {0, 0, 120}, {120, 0, 0}, addMaterial(made.scene, ground));
+    made.view = lookAt({-0.75f, 1.0f, 3.0f}, {-0.75f, 0.0f, 0.6f}, {0, 1, 0});
+    made.view.verticalFov = 0.15f;
+    glm::dvec3 plain(0.0);
+    for (const FilmPixel& pixel : filmOf(made, {.samples = 1024, .maxBounces = 2}).pixels) {
+        plain += glm::dvec3(pixel.radiance);
+    }
+    made.options.catcher = static_cast<std::uint32_t>(made.scene.materials.size() - 1);
+    made.options.catcherReflection = 0.3f;
+    const FilmData film = filmOf(made, {.samples = 1024, .maxBounces = 1}); // and one that the mirror gives
+    glm::dvec3 mirrored(0.0);
+    glm::dvec3 light(0.0);
+    for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+        mirrored += glm::dvec3(film.pixels[i].radiance);
+        light += glm::dvec3(film.light[i].emission + film.light[i].direct + film.light[i].indirect);
+        EXPECT_EQ(film.light[i].caught, 1024.0f);
+    }
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_GT(plain[c], 0.0);
+        EXPECT_NEAR(mirrored[c] / plain[c], 1.0, 0.02);
+        EXPECT_NEAR(light[c] / mirrored[c], 1.0, 1e-5);
+    }
 }
 
 // The lowest plane is not in the place of a flat underside, near the origin and far from it, and is so near

@@ -103,6 +103,9 @@ class Module(program.ProgramTest):
             words = ("--size", "12x8", "--spp", "1", "--backend", backend, "--shadow-catcher", ground, "--transparent", "--aov", "shadow")
             self.assertEqual(self.bytes_of(film), self.program_bytes("program.exr", *words), ground)
         self.assertEqual(self.bytes_of(self.small()), plain)
+        film = self.small(shadow_catcher="auto", catcher_reflection=0.1, backend="cpu")
+        words = ("--size", "12x8", "--spp", "1", "--backend", "cpu", "--shadow-catcher", "auto", "--catcher-reflection", "0.1")
+        self.assertEqual(self.bytes_of(film), self.program_bytes("program.exr", *words))
         self.assert_refused(metamarch.InvalidArgument, "^there is no material floor;.* [(]shadow_catcher[)]", self.small,
                             shadow_catcher="floor")
 

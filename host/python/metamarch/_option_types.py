@@ -34,6 +34,7 @@ class RenderOptions(TypedDict, total=False):
     transparent: bool
     denoise: bool
     shadow_catcher: str
+    catcher_reflection: float
     camera: "Camera | str | int"
     eye: Sequence[float]
     target: Sequence[float]
