@@ -69,8 +69,7 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
     vulkan::write(device, camera, 0, std::as_bytes(std::span(&newCamera, 1)));
     program = &made->second;
     pixelCount = static_cast<std::uint32_t>(count);
-    tilesPerRow = (newCamera.width + kTileSide - 1) / kTileSide;
-    tileCount = tilesPerRow * ((newCamera.height + kTileSide - 1) / kTileSide);
+    tiling = Tiling(newCamera);
     nextTile = 0;
     view = newView;
     scaleMax = newScaleMax;
@@ -81,8 +80,8 @@ bool Inspector::advance(const double targetSeconds) {
     if (isWhole()) {
         return true;
     }
-    const std::uint32_t count = std::min(program->work.units(), tileCount - nextTile);
-    const InspectPush push{nextTile, tilesPerRow, view, scaleMax};
+    const std::uint32_t count = std::min(program->work.units(), tiling.count - nextTile);
+    const InspectPush push{nextTile, tiling.order, view, scaleMax};
     const double spent = submission.run([&](vulkan::Commands& commands) {
         commands.dispatch(program->pipeline, {count, 1, 1}, push);
     });

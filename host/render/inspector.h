@@ -3,6 +3,7 @@
 #pragma once
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
+#include "metamarch/render/tiling.h"
 #include "metamarch/render/view_names.h"
 #include "metamarch/render/work_size.h"
 #include "metamarch/shared/camera.h"
@@ -39,7 +40,7 @@ class Inspector {
     // is whole; it then submits nothing. Pixels whose trace the driver ends early get kUnfinishedColor.
     bool advance(double targetSeconds = WorkSize::kTargetSeconds);
 
-    bool isWhole() const { return nextTile == tileCount; }
+    bool isWhole() const { return nextTile == tiling.count; }
 
     // Returns the time that the device has spent on this picture, without the first submission of a pipeline,
     // in which the driver may compile it.
@@ -74,8 +75,7 @@ class Inspector {
     // The current picture.
     Program* program = nullptr;
     std::uint32_t pixelCount = 0;
-    std::uint32_t tilesPerRow = 0;
-    std::uint32_t tileCount = 0;
+    Tiling tiling{PixelRect{}}; // none yet
     std::uint32_t nextTile = 0;
     std::uint32_t view = 0;
     float scaleMax = 1.0f;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kOutside = std::numeric_limits<std::size_t>::max();
 
+double valueOf(const Count count) { return count.low + 0x1p32 * count.high; }
+
 bool has(const std::uint32_t parts, const std::uint32_t part) { return (parts & part) != 0; }
 
 vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const SceneBuffers& scene,
@@ -48,12 +50,6 @@ std::vector<T> readTiles(const vulkan::Device& device, const vulkan::Buffer& buf
 }
 
 } // namespace
-
-Tiling::Tiling(const Camera& camera) : Tiling(PixelRect{0, 0, camera.width, camera.height}) {}
-
-Tiling::Tiling(const PixelRect& area)
-    : perRow((area.width() + kTileSide - 1) / kTileSide),
-      count(perRow * ((area.height() + kTileSide - 1) / kTileSide)) {}
 
 PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                        const ShadingBuffers& shading, const std::string& usedTraversal,
@@ -98,7 +94,7 @@ void PathTracer::start(const Camera& camera, const PathSettings& settings, const
     input = {camera, settings, area.left, area.top, area.width(), area.height()};
     vulkan::write(device, inputBuffer, 0, std::as_bytes(std::span(&input, 1)));
     tiles = wanted;
-    tilesPerRow = Tiling(area).perRow;
+    order = Tiling(area).order;
     filmFirst = firstSample;
     blockFirst = firstSample;
     hasSums = false;
@@ -130,18 +126,31 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     const std::uint32_t samples = std::max(passEnd - taken, 1u);
     const std::uint32_t most = std::min(tiles.end - next, device.report().maxComputeWorkGroupCount[0]);
     const std::uint32_t count = std::clamp(work.units() / samples, 1u, most);
-    const TileRange part = unfinished.count() > 0 ? unfinished : TileRange{next, next + count};
+    const bool isNew = unfinished.count() == 0;
+    const TileRange part = isNew ? TileRange{next, next + count} : unfinished;
+    const std::uint32_t begin = isNew ? taken : unfinishedTaken;
+    // Of a tile that takes longer than a submission should, some samples at a time.
+    const std::uint32_t end = part.count() == 1 ? std::min(passEnd, begin + work.units()) : passEnd;
     const double before = sums.deviceSeconds;
     const double raysBefore = sums.rays;
-    const bool isDone = dispatch(part, passEnd);
+    const Outcome outcome = dispatch(part, begin, std::max(end, begin));
     // The last part of a pass is smaller than work.units(); scale its time up to that size.
-    const double asked = static_cast<double>(work.units()) / (part.count() * samples);
+    const double asked = static_cast<double>(work.units()) / (part.count() * std::max(end - begin, 1u));
     if (sums.rays > raysBefore) { // with uploaded sums, tiles may have all their samples
         work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
     }
-    if (!isDone) {
+    if (outcome == Outcome::stuck) {
+        if (turns == kMostTurns) {
+            refuseCutShort(kCutShort, device, traversal);
+        }
+        turns = turns > kMostTurns / kMoreTurns ? kMostTurns : turns * kMoreTurns;
+    }
+    if (outcome != Outcome::whole) {
         // Take fewer samples at a time from now on. The next call repeats this part for the missing ones.
         fitting = std::max(fitting / 2, 1u);
+    }
+    unfinishedTaken = outcome == Outcome::whole ? end : begin;
+    if (outcome != Outcome::whole || end < passEnd) {
         unfinished = part;
         return part;
     }
@@ -153,8 +162,9 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     return part;
 }
 
-// Returns true if every pixel of the tiles has all its samples.
-bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
+// Takes the samples of the tiles up to endSample. Every pixel has those before firstSample.
+PathTracer::Outcome PathTracer::dispatch(const TileRange part, const std::uint32_t firstSample,
+                                         const std::uint32_t endSample) {
     const bool isFresh = taken == blockFirst && unfinished.count() == 0 && !hasSums;
     const double seconds = submission.run([&](vulkan::Commands& commands) {
         commands.fill(status, 0);
@@ -162,21 +172,23 @@ bool PathTracer::dispatch(const TileRange part, const std::uint32_t endSample) {
             commands.dispatch(addBlock, {part.count(), 1, 1}, AddBlockPush{part.first - tiles.first});
         }
         commands.dispatch(pipeline, {part.count(), 1, 1},
-                          PathPush{part.first, tilesPerRow, blockFirst, endSample - blockFirst, tiles.first,
-                                   isFresh ? 1u : 0u});
+                          PathPush{part.first, order, blockFirst, endSample - blockFirst, tiles.first,
+                                   isFresh ? 1u : 0u, turns});
         commands.copy(status, 0, statusReadback, 0, sizeof(PathStatus));
     });
     (sums.submissions++ == 0 ? sums.firstSeconds : sums.deviceSeconds) += seconds;
     PathStatus done{};
     std::memcpy(&done, statusReadback.mapped().data(), sizeof(PathStatus));
-    if (done.stuck > 0) {
-        refuseCutShort(kCutShort, device, traversal);
+    const Outcome outcome = done.stuck > 0        ? Outcome::stuck
+                            : done.unfinished > 0 ? Outcome::cut
+                                                  : Outcome::whole;
+    if (outcome == Outcome::whole) {
+        sums.samples += static_cast<double>(part.count()) * kTilePixels * (endSample - firstSample);
     }
-    sums.samples += static_cast<double>(part.count()) * kTilePixels * (endSample - taken);
-    sums.rays += done.rays;
-    sums.steps += done.steps;
-    sums.tests += done.tests;
-    return done.unfinished == 0;
+    sums.rays += valueOf(done.rays);
+    sums.steps += valueOf(done.steps);
+    sums.tests += valueOf(done.tests);
+    return outcome;
 }
 
 TileRange PathTracer::begunTiles() const {
@@ -225,9 +237,9 @@ PathTracer::TileSums PathTracer::readSums() const {
 
 // The place in a film of the area of pixel i of the tiles; kOutside for one that is only in the tile.
 std::size_t PathTracer::indexInArea(const std::uint32_t i) const {
-    const std::uint32_t tile = tiles.first + i / kTilePixels;
-    const std::uint32_t x = tile % tilesPerRow * kTileSide + i % kTileSide;
-    const std::uint32_t y = tile / tilesPerRow * kTileSide + i % kTilePixels / kTileSide;
+    const std::uint32_t tile = tileAt(order, tiles.first + i / kTilePixels);
+    const std::uint32_t x = tile % order.perRow * kTileSide + i % kTileSide;
+    const std::uint32_t y = tile / order.perRow * kTileSide + i % kTilePixels / kTileSide;
     return x < area.width() && y < area.height() ? std::size_t{y} * area.width() + x : kOutside;
 }
 

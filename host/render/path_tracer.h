@@ -5,6 +5,7 @@
 #include "metamarch/render/film_run.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
+#include "metamarch/render/tiling.h"
 #include "metamarch/render/work_size.h"
 #include "metamarch/shared/film_data.h"
 #include "metamarch/shared/path_input.h"
@@ -16,23 +17,6 @@
 #include <vector>
 
 namespace metamarch::render {
-
-// The tiles [first, end) of a picture. A tile has kTilePixels pixels; tiles are numbered row by row.
-struct TileRange {
-    std::uint32_t first = 0;
-    std::uint32_t end = 0;
-
-    std::uint32_t count() const { return end - first; }
-};
-
-// The number of tiles of a picture, or of an area of it: in each row, and in all.
-struct Tiling {
-    explicit Tiling(const Camera& camera);
-    explicit Tiling(const PixelRect& area);
-
-    std::uint32_t perRow;
-    std::uint32_t count;
-};
 
 // Sums over all submissions of a PathTracer. The difference of two values covers the time between them.
 struct PathCounters {
@@ -67,9 +51,9 @@ class PathTracer {
     // `earlier` that is empty stands for no samples.
     void upload(const FilmData& earlier, const FilmData& block);
 
-    // Takes further samples in one submission of about `targetSeconds`. Passes run over the film from top to
-    // bottom, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample` and
-    // none beyond the end of a block (film.h); one call is a part of a pass. Returns the tiles that have
+    // Takes further samples in one submission of about `targetSeconds`. Passes run over the film in the order
+    // of its tiles, and each adds up to `samplesAtOnce` samples to every pixel, but none beyond `endSample`
+    // and none beyond the end of a block (film.h); one call is a part of a pass. Returns the tiles that have
     // changed. Throws Error(outOfMemory) if the driver cuts a traversal short.
     TileRange advance(std::uint32_t endSample, std::uint32_t samplesAtOnce, double targetSeconds);
 
@@ -100,7 +84,19 @@ class PathTracer {
 
   private:
     struct TileSums;
-    bool dispatch(TileRange part, std::uint32_t endSample);
+
+    // Enough for 16 samples of 64 surfaces. Where a pixel gains no sample, the next dispatch has kMoreTurns
+    // times as many, up to kMostTurns.
+    static constexpr std::uint32_t kFirstTurns = 1024;
+    static constexpr std::uint32_t kMoreTurns = 16;
+    static constexpr std::uint32_t kMostTurns = 0xffffffffu;
+
+    enum class Outcome {
+        whole, // every pixel of the tiles has its samples
+        cut,   // some pixels lack samples
+        stuck, // some of them gained none
+    };
+    Outcome dispatch(TileRange part, std::uint32_t firstSample, std::uint32_t endSample);
     TileSums readSums() const;
     std::size_t indexInArea(std::uint32_t i) const;
 
@@ -122,7 +118,7 @@ class PathTracer {
     PathInput input{};
     PixelRect area;
     TileRange tiles;
-    std::uint32_t tilesPerRow = 0;
+    TileOrder order{};
     std::uint32_t filmFirst = 0;           // number of the film's first sample
     std::uint32_t blockFirst = 0;          // number of the current block's first sample
     bool hasSums = false;                  // upload() has given the current block samples
@@ -130,7 +126,9 @@ class PathTracer {
     std::uint32_t passEnd = 0;             // the number of samples that the current pass ends with
     std::uint32_t next = 0;                // the next tile of the current pass
     std::uint32_t fitting = kBlockSamples; // the driver can probably finish this number per dispatch
-    TileRange unfinished;                  // the last part, if the driver did not finish it
+    TileRange unfinished;                  // the last part, if it has not all samples of the pass yet
+    std::uint32_t unfinishedTaken = 0;     // the number of samples that it has at least
+    std::uint32_t turns = kFirstTurns;     // PathPush::turns
     PathCounters sums;
 };
 

@@ -2,6 +2,7 @@
 #include "metamarch/render/primary_renderer.h"
 
 #include "metamarch/render/cut_short.h"
+#include "metamarch/render/tiling.h"
 #include "metamarch/render/work_size.h"
 #include "metamarch/vulkan/submission.h"
 #include "metamarch/vulkan/transfer.h"
@@ -16,9 +17,9 @@ constexpr std::uint32_t kMostTiles = 1u << 13u;
 
 // Returns true if every pixel has its sample.
 bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
-              const std::uint32_t tilesPerRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
-    const std::uint32_t left = tileIndex % tilesPerRow * kTileSide;
-    const std::uint32_t top = tileIndex / tilesPerRow * kTileSide;
+              const std::uint32_t perRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
+    const std::uint32_t left = tileIndex % perRow * kTileSide;
+    const std::uint32_t top = tileIndex / perRow * kTileSide;
     const std::uint32_t width = std::min(kTileSide, camera.width - left);
     const std::uint32_t height = std::min(kTileSide, camera.height - top);
     bool isWhole = true;
@@ -36,8 +37,7 @@ bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uin
 DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
                                    const std::string& traversal, const Camera& camera,
                                    const OnProgress& onProgress) {
-    const std::uint32_t tilesPerRow = (camera.width + kTileSide - 1) / kTileSide;
-    const std::uint32_t tiles = tilesPerRow * ((camera.height + kTileSide - 1) / kTileSide);
+    const auto [order, tiles] = Tiling(camera);
     WorkSize work(std::min(tiles, kMostTiles));
 
     vulkan::ComputePipeline pipeline = scene.makePipeline(
@@ -55,25 +55,25 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
     DeviceRender render;
     render.film = FilmData(std::size_t{camera.width} * camera.height, 0);
     bool isOn = true;
-    for (std::uint32_t firstTile = 0; isOn && firstTile < tiles;) {
-        const std::uint32_t count = std::min(work.units(), tiles - firstTile);
+    for (std::uint32_t next = 0; isOn && next < tiles;) {
+        const std::uint32_t count = std::min(work.units(), tiles - next);
         const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(FilmPixel);
         const double seconds = submission.run([&](vulkan::Commands& commands) {
-            commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{firstTile, tilesPerRow});
+            commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{next, order});
             commands.copy(output, 0, readback, 0, bytes);
         });
         const std::span tilePixels(reinterpret_cast<const FilmPixel*>(readback.mapped().data()),
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
             const auto tile = tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>();
-            if (!copyTile(tile, firstTile + i, tilesPerRow, camera, render.film.pixels)) {
+            if (!copyTile(tile, tileAt(order, next + i), order.perRow, camera, render.film.pixels)) {
                 refuseCutShort(kCutShort, device, traversal);
             }
         }
         work.finished(seconds);
         (render.submissions++ == 0 ? render.firstSeconds : render.deviceSeconds) += seconds;
-        firstTile += count;
-        isOn = !onProgress || onProgress(static_cast<double>(firstTile) / tiles);
+        next += count;
+        isOn = !onProgress || onProgress(static_cast<double>(next) / tiles);
     }
     return render;
 }

@@ -29,7 +29,7 @@ void Resolver::resolve(vulkan::Commands& commands, const TileRange tiles, const 
     for (std::uint32_t first = tiles.first; first < tiles.end; first += kMostGroups) {
         const std::uint32_t count = std::min(tiles.end - first, kMostGroups);
         commands.dispatch(pipeline, {count, 1, 1},
-                          ResolvePush{first, (size.x + kTileSide - 1) / kTileSide, size.x, size.y,
+                          ResolvePush{first, Tiling(PixelRect{0, 0, size.x, size.y}).order, size.x, size.y,
                                       toneMapping.toneOperator, exposureScale(toneMapping)});
     }
 }

@@ -25,15 +25,21 @@ class WorkSize {
         if (!std::exchange(warm, true)) {
             return 0.0;
         }
-        const double wanted = size * targetSeconds / std::max(seconds, 1e-6);
+        secondsPerUnit = std::max(seconds / size, kKept * secondsPerUnit);
+        const double wanted = targetSeconds / std::max(secondsPerUnit, 1e-6 / size);
         size = static_cast<std::uint32_t>(
             std::clamp(wanted, 1.0, std::min(size * 4.0, static_cast<double>(most))));
         return seconds;
     }
 
   private:
+    // Units are not equally long: the memory of dear ones fades, so that a few cheap ones in between do not
+    // make a submission that is too long.
+    static constexpr double kKept = 0.7;
+
     std::uint32_t most;
     std::uint32_t size = 1;
+    double secondsPerUnit = 0.0;
     bool warm = false;
 };
 

@@ -12,7 +12,7 @@ layout(push_constant) uniform PushBlock { AddBlockPush push; };
 layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight;
 
 void main() {
-    const uint index = (push.firstTile + gl_WorkGroupID.x) * kTilePixels + gl_LocalInvocationIndex;
+    const uint index = (push.firstPlace + gl_WorkGroupID.x) * kTilePixels + gl_LocalInvocationIndex;
     const FilmPixel sum = total[index];
     total[index] = addPixel(sum, film[index]);
     if ((filmParts & kFilmLight) != 0u) {

@@ -19,7 +19,7 @@ CellFacts loadCellFacts(const CellPlace place) {
 }
 
 void main() {
-    const uvec2 pixel = pixelOfTile(push.firstTile + gl_WorkGroupID.x, push.tilesPerRow);
+    const uvec2 pixel = pixelAt(push.order, push.firstPlace + gl_WorkGroupID.x);
     if (!isInPicture(pixel)) {
         return;
     }

@@ -24,6 +24,14 @@ layout(std430, binding = kBindLight) buffer LightBuffer { LightParts filmLight[]
 layout(std430, binding = kBindHits) writeonly buffer HitBuffer { uint firstHits[]; };
 layout(std430, binding = kBindPathStatus) buffer StatusBuffer { PathStatus status; };
 layout(push_constant) uniform PushBlock { PathPush push; };
+
+// Adds to a Count in a buffer. It is a macro because GLSL passes no buffer variable to a function. The low
+// word has wrapped if the sum is below what was added.
+#define ADD_COUNT(count, added)                                                                              \
+    if (atomicAdd(count.low, added) + (added) < (added)) {                                                   \
+        atomicAdd(count.high, 1u);                                                                           \
+    }
+
 layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 
 // Finds the closest triangle that is there for this path, or any such triangle, and what is in the way. The
@@ -71,13 +79,13 @@ Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, cons
 }
 
 void main() {
-    const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 inArea = pixelOfTile(tile, push.tilesPerRow);
+    const uint place = push.firstPlace + gl_WorkGroupID.x;
+    const uvec2 inArea = pixelAt(push.order, place);
     if (inArea.x >= areaWidth || inArea.y >= areaHeight) {
         return;
     }
     const uvec2 pixel = uvec2(areaLeft, areaTop) + inArea;
-    const uint index = (tile - push.bandTile) * kTilePixels + gl_LocalInvocationIndex;
+    const uint index = (place - push.bandPlace) * kTilePixels + gl_LocalInvocationIndex;
     FilmPixel sum = emptyPixel();
     LightParts lightSum = noLight();
     if (push.isFresh == 0u) {
@@ -89,6 +97,7 @@ void main() {
     // A sample that the driver ends early is taken again, and counts once.
     PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
+    uint turns = 0u;
 
     // Invariant: `sum` contains the first sum.samples samples of the block; `taken` is the one after them.
     do {
@@ -133,7 +142,8 @@ void main() {
                 sum = endSample(sum, taken);
                 taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
             }
-            isOn = isWhole && sum.samples < push.samples;
+            ++turns;
+            isOn = isWhole && sum.samples < push.samples && turns < push.turns;
         }
     } while (isOn);
 
@@ -141,9 +151,9 @@ void main() {
     if (push.isFresh == 0u) {
         was = film[index];
     }
-    atomicAdd(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
-    atomicAdd(status.steps, uint(sum.steps - was.steps));
-    atomicAdd(status.tests, uint(sum.tests - was.tests));
+    ADD_COUNT(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
+    ADD_COUNT(status.steps, uint(sum.steps - was.steps));
+    ADD_COUNT(status.tests, uint(sum.tests - was.tests));
     film[index] = sum;
     if (push.isFresh != 0u && push.firstSample == 0u) {
         total[index].samples = 0u;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The integrator `primary`, one invocation per pixel: camera ray, closest hit, shading by a lamp at the eye.
 #include "lib/tiles.glsl"
+#include "shared/primary.h"
 
 layout(std430, binding = kBindCamera) readonly buffer CameraBuffer { Camera camera; };
 layout(std430, binding = kBindOutput) writeonly buffer FilmBuffer { FilmPixel film[]; };
 layout(push_constant) uniform PushBlock { PrimaryPush push; };
 
 void main() {
-    const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
+    const uvec2 pixel = pixelAt(push.order, push.firstPlace + gl_WorkGroupID.x);
     if (pixel.x >= camera.width || pixel.y >= camera.height) {
         return;
     }

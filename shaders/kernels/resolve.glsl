@@ -12,12 +12,12 @@ layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint pict
 layout(push_constant) uniform PushBlock { ResolvePush push; };
 
 void main() {
-    const uint tile = push.firstTile + gl_WorkGroupID.x;
-    const uvec2 pixel = pixelOfTile(tile, push.tilesPerRow);
+    const uint place = push.firstPlace + gl_WorkGroupID.x;
+    const uvec2 pixel = pixelAt(push.order, place);
     if (pixel.x >= push.width || pixel.y >= push.height) {
         return;
     }
-    const uint index = tile * kTilePixels + gl_LocalInvocationIndex;
+    const uint index = place * kTilePixels + gl_LocalInvocationIndex;
     const FilmPixel sum = addPixel(total[index], film[index]);
     const vec3 shown = toneMapped(push.toneOperator, push.scale, meanRadiance(sum));
     picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packedLinear(shown);

@@ -2,14 +2,15 @@
 // Assigns pixels to invocations.
 #ifndef METAMARCH_LIB_TILES_GLSL
 #define METAMARCH_LIB_TILES_GLSL
-#include "shared/primary.h"
+#include "shared/tile_order.h"
 
 layout(local_size_x = kTilePixels) in;
 
-// Returns the pixel of this invocation. A workgroup has one tile, an invocation one of its pixels. The pixel
-// may be outside the picture. Tiles are numbered row by row.
-uvec2 pixelOfTile(const uint tile, const uint tilesPerRow) {
+// Returns the pixel of this invocation. A workgroup has the tile in one place of the order, an invocation one
+// of its pixels. The pixel may be outside the picture.
+uvec2 pixelAt(const TileOrder order, const uint place) {
+    const uint tile = tileAt(order, place);
     const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    return uvec2(tile % tilesPerRow, tile / tilesPerRow) * kTileSide + inTile;
+    return uvec2(tile % order.perRow, tile / order.perRow) * kTileSide + inTile;
 }
 #endif

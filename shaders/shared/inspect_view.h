@@ -3,6 +3,7 @@
 #ifndef METAMARCH_SHARED_INSPECT_VIEW_H
 #define METAMARCH_SHARED_INSPECT_VIEW_H
 #include "camera.h"
+#include "tile_order.h"
 #include "triangle.h"
 
 SHARED_BEGIN
@@ -23,8 +24,8 @@ const uint kViewCellBorders = 10u; // lattice planes, and where they divide leav
 const uint kViewExitBoxes = 11u;   // exit boxes of leaves
 
 struct InspectPush {
-    uint firstTile; // tiles have kTilePixels pixels (primary.h) and are numbered row by row
-    uint tilesPerRow;
+    uint firstPlace;
+    TileOrder order;
     uint view;
     float scaleMax; // positive; the count with the hottest colour, or the depth that is black, in world units
 };
@@ -42,9 +43,9 @@ struct Inspected {
     uint tests;
 };
 
-SHARED_ASSERT_SIZE(InspectPush, 16)
-SHARED_ASSERT_OFFSET(InspectPush, view, 8)
-SHARED_ASSERT_OFFSET(InspectPush, scaleMax, 12)
+SHARED_ASSERT_SIZE(InspectPush, 28)
+SHARED_ASSERT_OFFSET(InspectPush, view, 20)
+SHARED_ASSERT_OFFSET(InspectPush, scaleMax, 24)
 
 SHARED_END
 #endif

@@ -5,17 +5,14 @@
 #include "camera.h"
 #include "film.h"
 #include "scene_layout.h"
+#include "tile_order.h"
 #include "triangle.h"
 
 SHARED_BEGIN
 
-// A workgroup has the pixels of a square tile, so that neighbouring invocations trace neighbouring rays.
-const uint kTileSide = 8u;
-const uint kTilePixels = 64u;
-
 struct PrimaryPush {
-    uint firstTile; // tiles are numbered row by row
-    uint tilesPerRow;
+    uint firstPlace;
+    TileOrder order;
 };
 
 // Returns a pixel with its only sample. The caller adds the ray's counts. `hit` must be a hit of `triangle`.
@@ -33,7 +30,7 @@ SHARED_FN FilmPixel shadePrimary(const Camera camera, const CameraRay view, cons
 
 SHARED_FN FilmPixel missPrimary() { return onlySample(vec3(0.0f), missFirst()); }
 
-SHARED_ASSERT_SIZE(PrimaryPush, 8)
+SHARED_ASSERT_SIZE(PrimaryPush, 20)
 
 SHARED_END
 #endif

@@ -3,7 +3,7 @@
 // and `present` composites such pictures at the screen's size.
 #ifndef METAMARCH_SHARED_SCREEN_H
 #define METAMARCH_SHARED_SCREEN_H
-#include "interop.h"
+#include "tile_order.h"
 
 SHARED_BEGIN
 
@@ -14,8 +14,8 @@ const uint kBindCoarse = 45u; // `present`'s binding of the lower picture
 const uint kScreenTile = 64u; // pixels of a row that one workgroup of `present` writes
 
 struct ResolvePush {
-    uint firstTile; // tiles are numbered row by row, as in PathPush
-    uint tilesPerRow;
+    uint firstPlace;
+    TileOrder order;
     uint width; // of the film, in pixels
     uint height;
     uint toneOperator; // tone_mapping.h
@@ -43,7 +43,7 @@ SHARED_FN uint withBlueFirst(const uint pixel) {
     return (pixel & 0xff00ff00u) | ((pixel & 0xffu) << 16u) | ((pixel >> 16u) & 0xffu);
 }
 
-SHARED_ASSERT_SIZE(ResolvePush, 24)
+SHARED_ASSERT_SIZE(ResolvePush, 36)
 SHARED_ASSERT_SIZE(PresentPush, 36)
 
 SHARED_END
