@@ -81,6 +81,7 @@ void addSquare(Scene& scene, const Bounds& bounds, const float height, const std
 
 std::uint32_t catcherMaterial(const Scene& scene, const std::string& selection) {
     std::vector<std::string> names;
+    names.reserve(scene.materials.size());
     for (const Material& material : scene.materials) {
         names.push_back(material.name);
     }

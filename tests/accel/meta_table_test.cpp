@@ -78,7 +78,7 @@ TEST(MetaTable, endsLeavesAnywhereInABrick) {
 TEST(MetaTable, hasOneWordForEachBrickInOneLeaf) {
     const std::vector<Leaf> leaves = {leafOver({0, 0, 0}, {1023, 1023, 1023})};
     const MetaTable table = buildMetaTable(glm::uvec3(1023), leaves);
-    EXPECT_EQ(table.words, std::vector<std::uint32_t>(128u * 128u * 128u, 0));
+    EXPECT_EQ(table.words, std::vector<std::uint32_t>(std::size_t{128} * 128 * 128, 0));
 }
 
 // A floor: all bricks that it cuts have equal contents.

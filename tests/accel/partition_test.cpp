@@ -238,6 +238,7 @@ TEST(Marching, aPartitionOfAnEmptySceneHitsNothing) {
 
 std::vector<CellBox> boxesOf(const LeafList& list) {
     std::vector<CellBox> boxes;
+    boxes.reserve(list.leaves.size());
     for (const Leaf& leaf : list.leaves) {
         boxes.push_back(boxOf(leaf));
     }

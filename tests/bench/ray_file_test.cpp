@@ -14,7 +14,7 @@ namespace {
 class RayFile : public testing::Test {
   protected:
     std::filesystem::path write(const std::vector<float>& values, const std::size_t extraBytes = 0) {
-        const std::filesystem::path path = folder / "rays.bin";
+        std::filesystem::path path = folder / "rays.bin";
         std::ofstream file(path, std::ios::binary);
         file.write(reinterpret_cast<const char*>(values.data()),
                    static_cast<std::streamsize>(values.size() * sizeof(float)));

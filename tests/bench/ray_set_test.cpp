@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 37; // not a multiple of a tile's
 constexpr std::uint32_t kHeight = 21;
-constexpr std::size_t kViewRays = 4 * kWidth * kHeight;
+constexpr std::size_t kViewRays = std::size_t{4} * kWidth * kHeight;
 
 struct SphereAndCube {
     SphereAndCube() {

@@ -16,23 +16,23 @@ namespace fs = std::filesystem;
 class RecentFilesTest : public testing::Test {
   protected:
     RecentFilesTest() {
-        std::string folder = testing::TempDir() + "metamarch-recent-test-XXXXXX";
-        folder_ = mkdtemp(folder.data());
-        setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+        std::string name = testing::TempDir() + "metamarch-recent-test-XXXXXX";
+        folder = mkdtemp(name.data());
+        setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);
     }
     ~RecentFilesTest() override {
         unsetenv("XDG_STATE_HOME");
-        fs::remove_all(folder_);
+        fs::remove_all(folder);
     }
 
-    fs::path list() const { return folder_ / "state/metamarch/recent_scenes"; }
+    fs::path list() const { return folder / "state/metamarch/recent_scenes"; }
 
     fs::path scene(const std::string& name) const {
-        std::ofstream(folder_ / name) << "a scene";
-        return folder_ / name;
+        std::ofstream(folder / name) << "a scene";
+        return folder / name;
     }
 
-    fs::path folder_;
+    fs::path folder;
 };
 
 TEST_F(RecentFilesTest, listsTheNewestFirstAndEachOnce) {
@@ -43,7 +43,7 @@ TEST_F(RecentFilesTest, listsTheNewestFirstAndEachOnce) {
     recent.add(a);
     recent.add(b);
     EXPECT_EQ(recent.read(), (std::vector{b, a}));
-    recent.add(folder_ / "." / "a.glb");
+    recent.add(folder / "." / "a.glb");
     EXPECT_EQ(RecentFiles().read(), (std::vector{a, b}));
     EXPECT_EQ(std::distance(fs::directory_iterator(list().parent_path()), {}),
               1); // no temporary file is left
@@ -64,7 +64,7 @@ TEST_F(RecentFilesTest, leavesOutFilesThatAreGone) {
     const fs::path a = scene("a.glb");
     recent.add(a);
     recent.add(scene("b.glb"));
-    fs::remove(folder_ / "b.glb");
+    fs::remove(folder / "b.glb");
     EXPECT_EQ(recent.read(), std::vector{a});
 }
 

@@ -121,6 +121,7 @@ std::vector<double> probabilities(const Weights& weights) {
         return weight > 0.0 ? 0.5 * weight / all + 0.5 * weight / kind / kinds : 0.0;
     };
     std::vector<double> result;
+    result.reserve(weights.emitters.size() + weights.lights.size() + 1);
     for (const double weight : weights.emitters) {
         result.push_back(share(weight, emitters));
     }

@@ -150,7 +150,7 @@ Atmosphere::Atmosphere(const double haze, const double leastCosine, const double
         const int last = std::min(static_cast<int>(columnOf(horizon, mostCosine)) + kBeside, kAngles - 1);
         for (int column = first; column <= last; ++column) {
             const double above = std::pow(column / (kAngles - 1.0), 2.0);
-            transmittances_[static_cast<std::size_t>(row * kAngles + column)] =
+            transmittances_[static_cast<std::size_t>(row) * kAngles + static_cast<std::size_t>(column)] =
                 marchedTransmittance(height, horizon + (1.0 - horizon) * above);
         }
     });
@@ -168,7 +168,8 @@ dvec3 Atmosphere::transmittance(const TableRow& row, const double cosine) const 
     }
     const double column = columnOf(row.horizon, cosine);
     const int x = std::min(static_cast<int>(column), kAngles - 2);
-    const dvec3* corner = &transmittances_[static_cast<std::size_t>(row.index * kAngles + x)];
+    const dvec3* corner =
+        &transmittances_[static_cast<std::size_t>(row.index) * kAngles + static_cast<std::size_t>(x)];
     const dvec3 lower = glm::mix(corner[0], corner[1], column - x);
     const dvec3 upper = glm::mix(corner[kAngles], corner[kAngles + 1], column - x);
     return glm::mix(lower, upper, row.part);

@@ -143,7 +143,7 @@ std::vector<TableEntry> blockTables(const std::span<const BlockPart> parts) {
         }
         const std::vector<TableEntry> table = makeWeightedTable(seen);
         for (std::size_t block = 0; block < kMapBlocks; ++block) {
-            TableEntry& entry = tables[bin * kMapBlocks + block];
+            TableEntry& entry = tables[std::size_t{bin} * kMapBlocks + block];
             entry = table[block];
             entry.probability =
                 weights[block] > 0.0 ? static_cast<float>(entry.probability * all / weights[block]) : 0.0f;

@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 
 namespace metamarch {
@@ -37,7 +38,7 @@ std::uint32_t srgbByte(const float linear) {
 }
 
 std::uint32_t plainByte(const float value) {
-    return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
 std::uint32_t packed(const glm::uvec4 bytes) {
