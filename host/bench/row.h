@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A measurement and its text formats.
 #pragma once
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <optional>

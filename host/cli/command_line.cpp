@@ -14,6 +14,7 @@
 #include <exception>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
@@ -302,9 +303,10 @@ int reportCurrentException() {
         return report(error);
     } catch (const std::bad_alloc&) {
         return report(ExitCode::outOfMemory, "out of memory");
-    } catch (const vk::SystemError& error) {
-        return report(vulkan::refusalOf(error, "Vulkan"));
     } catch (const std::system_error& error) {
+        if (const std::optional<Error> refusal = vulkan::refusalOf(error, "Vulkan")) {
+            return report(*refusal);
+        }
         if (error.code() == std::errc::resource_unavailable_try_again) {
             return report(ExitCode::outOfMemory, "the system allows no more threads (see `ulimit -u`)");
         }

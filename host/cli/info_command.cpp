@@ -11,6 +11,7 @@
 #include "metamarch/settings/render_settings.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <optional>

@@ -29,6 +29,7 @@
 #include "metamarch/shading/view.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <exception>

@@ -2,6 +2,7 @@
 #include "metamarch/cli/render_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "metamarch/render/render.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <vector>

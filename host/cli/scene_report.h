@@ -3,7 +3,7 @@
 #pragma once
 #include "metamarch/scene/scene.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

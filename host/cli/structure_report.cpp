@@ -2,6 +2,7 @@
 #include "metamarch/cli/structure_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -5,7 +5,7 @@
 #include "metamarch/accel/rectilinear_table.h"
 #include "metamarch/scene/scene.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace metamarch::cli {
 

@@ -12,6 +12,8 @@
 #include "metamarch/render/picture.h"
 #include "metamarch/vulkan/refusal.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -20,6 +22,7 @@
 #include <future>
 #include <limits>
 #include <new>
+#include <optional>
 #include <pthread.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -84,6 +87,7 @@ void raise(const Error& error) {
     PyErr_SetObject(errorTypes[static_cast<std::size_t>(error.kind)], text.ptr());
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 calls a function that takes a value.
 void translate(const std::exception_ptr failure) {
     if (!failure) {
         return;
@@ -94,9 +98,10 @@ void translate(const std::exception_ptr failure) {
         raise(error);
     } catch (const std::bad_alloc&) {
         raise(Error(ErrorKind::outOfMemory, "out of memory"));
-    } catch (const vk::SystemError& error) {
-        raise(vulkan::refusalOf(error, "Vulkan"));
     } catch (const std::system_error& error) {
+        if (const std::optional<Error> refusal = vulkan::refusalOf(error, "Vulkan")) {
+            raise(*refusal);
+        }
         if (error.code() != std::errc::resource_unavailable_try_again) {
             throw;
         }
@@ -133,6 +138,7 @@ void seal(py::array_t<T>& array) {
 // An array of `rows` rows over memory that `owner` keeps.
 template <class T, class Element>
 py::array_t<T> lend(const std::vector<Element>& elements, const py::handle owner) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression): an element may be one T.
     constexpr auto kColumns = static_cast<py::ssize_t>(sizeof(Element) / sizeof(T));
     const auto rows = static_cast<py::ssize_t>(elements.size());
     std::vector<py::ssize_t> shape = {rows};

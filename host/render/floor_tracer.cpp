@@ -6,8 +6,8 @@ namespace metamarch::render {
 FloorTracer::FloorTracer(const vulkan::Device& device, const SceneBuffers& scene)
     : batches(device, scene.makePipeline(device, "floor", "",
                                          {.storageBindings = {kBindOutput},
-                                          .texelBindings = {{kBindInput, vk::Format::eR32G32B32A32Uint},
-                                                            {kBindKnownRecords, vk::Format::eR32Uint}},
+                                          .texelBindings = {{kBindInput, VK_FORMAT_R32G32B32A32_UINT},
+                                                            {kBindKnownRecords, VK_FORMAT_R32_UINT}},
                                           .pushConstantSize = sizeof(RaysPush)})) {}
 
 std::vector<RayResult> FloorTracer::trace(const std::span<const RayQuery> rays,

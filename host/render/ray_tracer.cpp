@@ -10,7 +10,7 @@ RayTracer::RayTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene
     : device(usedDevice), traversal(usedTraversal),
       batches(usedDevice, scene.makePipeline(usedDevice, "rays", usedTraversal,
                                              {.storageBindings = {kBindOutput},
-                                              .texelBindings = {{kBindInput, vk::Format::eR32G32B32A32Uint}},
+                                              .texelBindings = {{kBindInput, VK_FORMAT_R32G32B32A32_UINT}},
                                               .pushConstantSize = sizeof(RaysPush),
                                               .specialization = {{kSpecAnyHit, anyHit ? 1u : 0u}}})) {}
 

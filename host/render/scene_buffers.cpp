@@ -35,19 +35,19 @@ std::span<const std::byte> bytesOf(const std::vector<T>& values) {
 
 using Triangles = std::span<const TriangleRecord>;
 
-constexpr vk::Format kFourWords = vk::Format::eR32G32B32A32Uint;
+constexpr VkFormat kFourWords = VK_FORMAT_R32G32B32A32_UINT;
 
-vk::Format formatOf(const StructurePart& part) {
-    return part.words == 1 ? vk::Format::eR32Uint : part.words == 2 ? vk::Format::eR32G32Uint : kFourWords;
+VkFormat formatOf(const StructurePart& part) {
+    return part.words == 1 ? VK_FORMAT_R32_UINT : part.words == 2 ? VK_FORMAT_R32G32_UINT : kFourWords;
 }
 
-std::vector<vk::AabbPositionsKHR> boxesAround(const Lattice& lattice, const Triangles triangles) {
-    std::vector<vk::AabbPositionsKHR> boxes(triangles.size());
+std::vector<VkAabbPositionsKHR> boxesAround(const Lattice& lattice, const Triangles triangles) {
+    std::vector<VkAabbPositionsKHR> boxes(triangles.size());
     std::ranges::transform(triangles, boxes.begin(), [&](const TriangleRecord& triangle) {
         const Box box = boxOf(lattice, triangle);
         const vec3 lo = lowCorner(box);
         const vec3 hi = highCorner(box);
-        return vk::AabbPositionsKHR(lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+        return VkAabbPositionsKHR{lo.x, lo.y, lo.z, hi.x, hi.y, hi.z};
     });
     return boxes;
 }

@@ -38,8 +38,8 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
 
 void ShadingBuffers::addTo(vulkan::KernelInfo& kernel) const {
     for (const auto& [binding, buffer] : buffers) {
-        kernel.texelBindings.emplace(binding, isTexels(binding) ? vk::Format::eR32Uint
-                                                                : vk::Format::eR32G32B32A32Uint);
+        kernel.texelBindings.emplace(binding,
+                                     isTexels(binding) ? VK_FORMAT_R32_UINT : VK_FORMAT_R32G32B32A32_UINT);
     }
     kernel.specialization[kSpecFeatures] = features;
 }

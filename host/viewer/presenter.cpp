@@ -49,7 +49,7 @@ vk::raii::CommandBuffer makeCommandBuffer(const vulkan::Device& device) {
 
 Presenter::Presenter(const vulkan::Context& usedContext, const vulkan::Device& usedDevice, Window& usedWindow)
     : context(usedContext), device(usedDevice), window(usedWindow),
-      surface(usedWindow.makeSurface(usedContext.instance())),
+      surface(usedContext.instance(), usedWindow.makeSurface(*usedContext.instance())),
       acquired(usedDevice.handle(), vk::SemaphoreCreateInfo()),
       done(usedDevice.handle(), vk::FenceCreateInfo()), commandBuffer(makeCommandBuffer(usedDevice)) {
     makeChain();
@@ -86,7 +86,7 @@ void Presenter::makeChain() {
     } catch (const vk::SurfaceLostKHRError&) {
         chain.reset();
         surface = nullptr;
-        surface = window.makeSurface(context.instance());
+        surface = {context.instance(), window.makeSurface(*context.instance())};
         next.emplace(device, surface, size, nullptr);
     }
     chain = std::move(next);

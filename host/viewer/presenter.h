@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Presents pictures and panels in the window.
 #pragma once
+#include "metamarch/viewer/screen.h"
 #include "metamarch/viewer/swapchain.h"
 #include "metamarch/viewer/window.h"
-#include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
@@ -12,18 +12,6 @@
 #include <vector>
 
 namespace metamarch::viewer {
-
-// The pixels of the window's picture, in rows from the top. They stay from frame to frame.
-struct Screen {
-    glm::uvec2 size; // pixels
-    const vulkan::Buffer& pixels;
-    bool isBlueFirst; // order in memory: blue, green, red, alpha; otherwise red, green, blue, alpha
-    bool isEmpty;     // nothing has been written to the pixels yet
-    // The pixels that the window had before its size changed, with the same order in memory; null if it had
-    // none.
-    const vulkan::Buffer* pixelsBefore;
-    glm::uvec2 sizeBefore;
-};
 
 // Owns Dear ImGui, which draws the panels over the picture. Context, device and window must outlive it.
 class Presenter {

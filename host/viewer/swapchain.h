@@ -4,6 +4,7 @@
 #include "metamarch/vulkan/device.h"
 
 #include <glm/glm.hpp>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <cstdint>
 #include <vector>

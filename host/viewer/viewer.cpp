@@ -382,14 +382,7 @@ class Viewer {
         }
     }
 
-    bool isLost() const {
-        try {
-            device.handle().waitIdle();
-            return false;
-        } catch (const vk::SystemError&) {
-            return true;
-        }
-    }
+    bool isLost() const { return !device.waitIdle(); }
 
     void dropPictures() {
         presenter.wait();

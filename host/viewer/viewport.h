@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shows the scene with one traversal at the window's size: first a coarse picture, then a fine one.
 #pragma once
-#include "metamarch/viewer/presenter.h"
+#include "metamarch/viewer/screen.h"
 #include "metamarch/viewer/progressive_image.h"
 
 #include <cstdint>

@@ -77,12 +77,12 @@ Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& fi
 
 Window::~Window() { glfwDestroyWindow(window); }
 
-vk::raii::SurfaceKHR Window::makeSurface(const vk::raii::Instance& instance) const {
+VkSurfaceKHR Window::makeSurface(const VkInstance instance) const {
     VkSurfaceKHR surface = VK_NULL_HANDLE;
-    if (glfwCreateWindowSurface(*instance, window, nullptr, &surface) != VK_SUCCESS) {
+    if (glfwCreateWindowSurface(instance, window, nullptr, &surface) != VK_SUCCESS) {
         throw Error(ErrorKind::noDevice, fmt::format("no surface for the window ({})", lastError()));
     }
-    return {instance, surface};
+    return surface;
 }
 
 Input Window::poll(const double seconds) {

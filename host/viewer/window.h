@@ -2,7 +2,7 @@
 // The window, through GLFW: its surface, its size and its input.
 #pragma once
 #include <glm/glm.hpp>
-#include <vulkan/vulkan_raii.hpp>
+#include <vulkan/vulkan_core.h>
 
 #include <filesystem>
 #include <string>
@@ -54,8 +54,8 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Throws Error(noDevice).
-    vk::raii::SurfaceKHR makeSurface(const vk::raii::Instance& instance) const;
+    // Returns a surface, which the caller owns. Throws Error(noDevice).
+    VkSurfaceKHR makeSurface(VkInstance instance) const;
 
     // Returns the events since the last call. If there are none, waits up to `seconds` for one.
     Input poll(double seconds = 0.0);

@@ -2,18 +2,22 @@
 #include "metamarch/vulkan/box_hierarchy.h"
 
 #include "metamarch/error/error.h"
+#include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/refusal.h"
 #include "metamarch/vulkan/submission.h"
 #include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_raii.hpp>
 
+#include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace metamarch::vulkan {
 namespace {
 
-using Type = vk::AccelerationStructureTypeKHR;
+using LevelType = vk::AccelerationStructureTypeKHR;
 
 // Uploads input for a build.
 Buffer uploadInput(const Device& device, const std::span<const std::byte> data, const std::string& name) {
@@ -36,13 +40,30 @@ void requireRoom(const Device& device, const uint64_t boxes, const std::string& 
 
 } // namespace
 
-BoxHierarchy::BoxHierarchy(const Device& device, const std::span<const vk::AabbPositionsKHR> boxes,
-                           const std::string& name)
-    : bottom_(buildBottom(device, boxes, name)), top_(buildTop(device, bottom_, name)) {}
+struct BoxHierarchy::Levels {
+    struct Level {
+        Buffer buffer;
+        vk::raii::AccelerationStructureKHR structure;
+    };
 
-BoxHierarchy::Level BoxHierarchy::build(const Device& device, const Type type,
-                                        const vk::AccelerationStructureGeometryKHR& geometry,
-                                        const uint32_t count, const std::string& name) {
+    Levels(const Device& device, const std::span<const VkAabbPositionsKHR> boxes, const std::string& name)
+        : bottom(buildBottom(device, boxes, name)), top(buildTop(device, bottom, name)) {}
+
+    // Builds one level from a geometry with `count` primitives.
+    static Level build(const Device& device, LevelType type,
+                       const vk::AccelerationStructureGeometryKHR& geometry, uint32_t count,
+                       const std::string& name);
+    static Level buildBottom(const Device& device, std::span<const VkAabbPositionsKHR> boxes,
+                             const std::string& name);
+    static Level buildTop(const Device& device, const Level& bottom, const std::string& name);
+
+    Level bottom;
+    Level top; // refers to the bottom level
+};
+
+BoxHierarchy::Levels::Level BoxHierarchy::Levels::build(const Device& device, const LevelType type,
+                                                        const vk::AccelerationStructureGeometryKHR& geometry,
+                                                        const uint32_t count, const std::string& name) {
     try {
         vk::AccelerationStructureBuildGeometryInfoKHR info(
             type, vk::BuildAccelerationStructureFlagBitsKHR::ePreferFastTrace,
@@ -70,18 +91,18 @@ BoxHierarchy::Level BoxHierarchy::build(const Device& device, const Type type,
     }
 }
 
-BoxHierarchy::Level BoxHierarchy::buildBottom(const Device& device,
-                                              const std::span<const vk::AabbPositionsKHR> boxes,
-                                              const std::string& name) {
+BoxHierarchy::Levels::Level BoxHierarchy::Levels::buildBottom(const Device& device,
+                                                              const std::span<const VkAabbPositionsKHR> boxes,
+                                                              const std::string& name) {
     requireRoom(device, boxes.size(), name);
     const Buffer input = uploadInput(device, std::as_bytes(boxes), name + " (boxes)");
     vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eAabbs);
-    geometry.geometry.setAabbs({input.address(), sizeof(vk::AabbPositionsKHR)});
-    return build(device, Type::eBottomLevel, geometry, static_cast<uint32_t>(boxes.size()), name);
+    geometry.geometry.setAabbs({input.address(), sizeof(VkAabbPositionsKHR)});
+    return build(device, LevelType::eBottomLevel, geometry, static_cast<uint32_t>(boxes.size()), name);
 }
 
-BoxHierarchy::Level BoxHierarchy::buildTop(const Device& device, const Level& bottom,
-                                           const std::string& name) {
+BoxHierarchy::Levels::Level BoxHierarchy::Levels::buildTop(const Device& device, const Level& bottom,
+                                                           const std::string& name) {
     const vk::TransformMatrixKHR identity(
         std::array<std::array<float, 4>, 3>{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
     const vk::AccelerationStructureInstanceKHR instance(
@@ -89,7 +110,19 @@ BoxHierarchy::Level BoxHierarchy::buildTop(const Device& device, const Level& bo
     const Buffer input = uploadInput(device, std::as_bytes(std::span(&instance, 1)), name + " (instance)");
     vk::AccelerationStructureGeometryKHR geometry(vk::GeometryTypeKHR::eInstances);
     geometry.geometry.setInstances({VK_FALSE, input.address()});
-    return build(device, Type::eTopLevel, geometry, 1, name + " (top)");
+    return build(device, LevelType::eTopLevel, geometry, 1, name + " (top)");
 }
+
+BoxHierarchy::BoxHierarchy(const Device& device, const std::span<const VkAabbPositionsKHR> boxes,
+                           const std::string& name)
+    : levels_(std::make_unique<Levels>(device, boxes, name)) {}
+
+BoxHierarchy::~BoxHierarchy() = default;
+BoxHierarchy::BoxHierarchy(BoxHierarchy&&) noexcept = default;
+BoxHierarchy& BoxHierarchy::operator=(BoxHierarchy&&) noexcept = default;
+
+uint64_t BoxHierarchy::size() const { return levels_->bottom.buffer.size() + levels_->top.buffer.size(); }
+
+vk::AccelerationStructureKHR BoxHierarchy::handle() const { return *levels_->top.structure; }
 
 } // namespace metamarch::vulkan

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The driver's bounding volume hierarchy over boxes, for ray queries: VK_KHR_acceleration_structure.
 #pragma once
-#include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/device.h"
+#include "metamarch/vulkan/handle_types.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -18,26 +19,18 @@ class BoxHierarchy {
     // primitive index in ray queries. Neighbours in space should be neighbours in `boxes`, because not every
     // driver sorts them. Throws Error(outOfMemory), naming the limit, if the device cannot hold the
     // hierarchy.
-    BoxHierarchy(const Device& device, std::span<const vk::AabbPositionsKHR> boxes, const std::string& name);
+    BoxHierarchy(const Device& device, std::span<const VkAabbPositionsKHR> boxes, const std::string& name);
+    ~BoxHierarchy();
+    BoxHierarchy(BoxHierarchy&&) noexcept;
+    BoxHierarchy& operator=(BoxHierarchy&&) noexcept;
 
-    uint64_t size() const { return bottom_.buffer.size() + top_.buffer.size(); } // bytes on the device
-    vk::AccelerationStructureKHR handle() const { return *top_.structure; }
+    uint64_t size() const; // bytes on the device
+    vk::AccelerationStructureKHR handle() const;
 
   private:
-    struct Level {
-        Buffer buffer;
-        vk::raii::AccelerationStructureKHR structure;
-    };
+    struct Levels;
 
-    static Level build(const Device& device, vk::AccelerationStructureTypeKHR type,
-                       const vk::AccelerationStructureGeometryKHR& geometry, uint32_t count,
-                       const std::string& name);
-    static Level buildBottom(const Device& device, std::span<const vk::AabbPositionsKHR> boxes,
-                             const std::string& name);
-    static Level buildTop(const Device& device, const Level& bottom, const std::string& name);
-
-    Level bottom_;
-    Level top_; // refers to the bottom level
+    std::unique_ptr<Levels> levels_;
 };
 
 } // namespace metamarch::vulkan

@@ -5,6 +5,7 @@
 #include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -74,16 +75,23 @@ uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse
 
 } // namespace
 
+struct Buffer::Handles {
+    vk::raii::Buffer buffer = nullptr;
+    vk::raii::DeviceMemory memory = nullptr; // freeing it also unmaps it
+};
+
 Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string name)
-    : name_(std::move(name)), size_(size) {
+    : name_(std::move(name)), size_(size), handles_(std::make_unique<Handles>()) {
     const uint64_t largest = device.report().maxMemoryAllocationSize;
     if (size > largest) {
         refuseSize(device, name_, size,
                    fmt::format("is over maxMemoryAllocationSize, {}", byteText(largest)));
     }
+    vk::raii::Buffer& buffer = handles_->buffer;
+    vk::raii::DeviceMemory& memory = handles_->memory;
     try {
-        buffer_ = {device.handle(), vk::BufferCreateInfo({}, size == 0 ? kLeastSize : size, usageOf(use))};
-        const vk::MemoryRequirements needs = buffer_.getMemoryRequirements();
+        buffer = {device.handle(), vk::BufferCreateInfo({}, size == 0 ? kLeastSize : size, usageOf(use))};
+        const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
         const uint32_t type = chooseMemoryType(device, needs.memoryTypeBits, use);
         const uint64_t heapSize =
             device.memoryProperties().memoryHeaps[device.memoryProperties().memoryTypes[type].heapIndex].size;
@@ -93,13 +101,13 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
         const bool addressed =
             static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
         const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
-        memory_ = {device.handle(), vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
-        buffer_.bindMemory(*memory_, 0);
+        memory = {device.handle(), vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
+        buffer.bindMemory(*memory, 0);
         if (addressed) {
-            address_ = device.handle().getBufferAddress(*buffer_);
+            address_ = device.handle().getBufferAddress(*buffer);
         }
         if (use == BufferUse::upload || use == BufferUse::readback) {
-            mapped_ = {static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE)), size};
+            mapped_ = {static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE)), size};
         }
     } catch (const vk::OutOfDeviceMemoryError&) {
         refuseSize(device, name_, size, "does not fit into device memory");
@@ -109,5 +117,11 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
         refuseSize(device, name_, size, "cannot be mapped into host memory");
     }
 }
+
+Buffer::~Buffer() = default;
+Buffer::Buffer(Buffer&&) noexcept = default;
+Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+
+vk::Buffer Buffer::handle() const { return *handles_->buffer; }
 
 } // namespace metamarch::vulkan

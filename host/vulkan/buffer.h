@@ -2,9 +2,11 @@
 // A buffer with its own memory.
 #pragma once
 #include "metamarch/vulkan/device.h"
+#include "metamarch/vulkan/handle_types.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -28,21 +30,25 @@ class Buffer {
     // Error(outOfMemory), naming buffer and size, if the device cannot hold it. ComputePipeline::bind checks
     // the limit on what a shader can see of a buffer (maxStorageBufferRange).
     Buffer(const Device& device, BufferUse use, uint64_t size, std::string name);
+    ~Buffer();
+    Buffer(Buffer&&) noexcept;
+    Buffer& operator=(Buffer&&) noexcept;
 
     const std::string& name() const { return name_; }
     uint64_t size() const { return size_; } // bytes, as requested
-    vk::Buffer handle() const { return *buffer_; }
-    vk::DeviceAddress address() const { return address_; } // for buffers of a BoxHierarchy; otherwise 0
+    vk::Buffer handle() const;
+    VkDeviceAddress address() const { return address_; } // for buffers of a BoxHierarchy; otherwise 0
     // The bytes as mapped for the host; empty for device-local buffers. Read them only after waiting for the
     // Submission that writes them.
     std::span<std::byte> mapped() const { return mapped_; }
 
   private:
+    struct Handles;
+
     std::string name_;
     uint64_t size_;
-    vk::raii::Buffer buffer_ = nullptr;
-    vk::raii::DeviceMemory memory_ = nullptr; // freeing it also unmaps it
-    vk::DeviceAddress address_ = 0;
+    std::unique_ptr<Handles> handles_;
+    VkDeviceAddress address_ = 0;
     std::span<std::byte> mapped_;
 };
 

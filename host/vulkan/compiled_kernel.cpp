@@ -8,6 +8,7 @@ namespace {
 
 vk::raii::DescriptorSetLayout setLayoutOf(const vk::raii::Device& device, const KernelSource& source) {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
+    bindings.reserve(source.bindings.size());
     for (const auto& [binding, type] : source.bindings) {
         bindings.emplace_back(binding, type, 1, vk::ShaderStageFlagBits::eCompute);
     }

@@ -4,6 +4,7 @@
 #include "metamarch/vulkan/box_hierarchy.h"
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/device.h"
+#include "metamarch/vulkan/handle_types.h"
 
 #include <cstdint>
 #include <map>
@@ -20,9 +21,9 @@ struct KernelInfo {
     std::span<const uint32_t> spirv{};       // entry point "main"; used only while the pipeline is created
     std::vector<uint32_t> storageBindings{}; // binding numbers in set 0, in any order
     std::vector<uint32_t> uniformBindings{}; // likewise, for small constants that all invocations read
-    std::map<uint32_t, vk::Format> texelBindings{}; // binding number to texel format
-    std::vector<uint32_t> hierarchyBindings{};      // likewise, for box hierarchies
-    uint32_t pushConstantSize = 0;                  // bytes; 0: none
+    std::map<uint32_t, VkFormat> texelBindings{}; // binding number to texel format
+    std::vector<uint32_t> hierarchyBindings{};    // likewise, for box hierarchies
+    uint32_t pushConstantSize = 0;                // bytes; 0: none
     // Maps constant_id to the 32 bits of its value (std::bit_cast a float or an int).
     std::map<uint32_t, uint32_t> specialization{};
 };
@@ -34,6 +35,9 @@ class ComputePipeline {
     // Throws Error(noDevice) if the device allows fewer storage buffers or push constants than the kernel
     // needs, or cannot compile it.
     ComputePipeline(const Device& device, const KernelInfo& info);
+    ~ComputePipeline();
+    ComputePipeline(ComputePipeline&&) noexcept;
+    ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
     // Binds the whole of `buffer` to `binding`. Must not be called while a Submission that uses this pipeline
     // is running; the buffer must outlive the last such submission. Throws Error(outOfMemory) if the buffer
@@ -43,23 +47,21 @@ class ComputePipeline {
 
     const std::string& name() const { return name_; }
     uint32_t pushConstantSize() const { return pushConstantSize_; }
-    vk::Pipeline handle() const { return *kernel_->pipeline; }
-    vk::PipelineLayout layout() const { return *kernel_->layout; }
-    vk::DescriptorSet descriptorSet() const { return *descriptorSet_; }
+    vk::Pipeline handle() const;
+    vk::PipelineLayout layout() const;
+    vk::DescriptorSet descriptorSet() const;
 
   private:
+    struct Handles;
+
     void createDescriptorSet();
     void bindTexels(uint32_t binding, const Buffer& buffer);
 
     const Device* device_;
     std::string name_;
     uint32_t pushConstantSize_;
-    std::map<uint32_t, vk::DescriptorType> bindings_;
-    std::map<uint32_t, vk::Format> texelFormats_;
-    std::map<uint32_t, vk::raii::BufferView> views_;
-    std::shared_ptr<const CompiledKernel> kernel_; // pipelines of the same kernel share it
-    vk::raii::DescriptorPool descriptorPool_ = nullptr;
-    vk::raii::DescriptorSet descriptorSet_ = nullptr;
+    std::map<uint32_t, VkFormat> texelFormats_;
+    std::unique_ptr<Handles> handles_;
 };
 
 } // namespace metamarch::vulkan

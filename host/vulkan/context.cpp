@@ -6,6 +6,7 @@
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -143,10 +144,29 @@ std::vector<vk::raii::PhysicalDevice> findPhysicalDevices(const vk::raii::Instan
 
 } // namespace
 
+struct Context::Handles {
+    explicit Handles(const std::span<const char* const> instanceExtensions)
+        : loader(openLoader()), instance(createInstance(loader, instanceExtensions)),
+          messenger(validationWanted() ? vk::raii::DebugUtilsMessengerEXT(instance, messengerInfo())
+                                       : nullptr),
+          physicalDevices(findPhysicalDevices(instance)) {}
+
+    vk::raii::Context loader;
+    vk::raii::Instance instance;
+    vk::raii::DebugUtilsMessengerEXT messenger; // destroyed before the instance
+    std::vector<vk::raii::PhysicalDevice> physicalDevices;
+};
+
 Context::Context(const std::span<const char* const> instanceExtensions)
-    : loader_(openLoader()), instance_(createInstance(loader_, instanceExtensions)),
-      messenger_(validationWanted() ? vk::raii::DebugUtilsMessengerEXT(instance_, messengerInfo()) : nullptr),
-      physicalDevices_(findPhysicalDevices(instance_)) {}
+    : handles_(std::make_unique<Handles>(instanceExtensions)) {}
+
+Context::~Context() = default;
+
+const vk::raii::Instance& Context::instance() const { return handles_->instance; }
+
+const std::vector<vk::raii::PhysicalDevice>& Context::physicalDevices() const {
+    return handles_->physicalDevices;
+}
 
 uint32_t validationMessages() { return messageCount; }
 

@@ -2,9 +2,10 @@
 // The Vulkan instance: loader, version, validation. It knows nothing about windows; a caller with a window
 // passes the extensions for it.
 #pragma once
-#include <vulkan/vulkan_raii.hpp>
+#include "metamarch/vulkan/handle_types.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,17 +26,17 @@ inline constexpr uint32_t kApiVersion = VK_API_VERSION_1_2;
 class Context {
   public:
     explicit Context(std::span<const char* const> instanceExtensions = {});
+    ~Context();
 
-    const vk::raii::Instance& instance() const { return instance_; }
+    const vk::raii::Instance& instance() const;
 
     // Returns the devices in the loader's order; chooseDevice counts them in this order.
-    const std::vector<vk::raii::PhysicalDevice>& physicalDevices() const { return physicalDevices_; }
+    const std::vector<vk::raii::PhysicalDevice>& physicalDevices() const;
 
   private:
-    vk::raii::Context loader_;
-    vk::raii::Instance instance_;
-    vk::raii::DebugUtilsMessengerEXT messenger_; // destroyed before the instance
-    std::vector<vk::raii::PhysicalDevice> physicalDevices_;
+    struct Handles;
+
+    std::unique_ptr<Handles> handles_;
 };
 
 // Returns the number of warnings and errors of the validation layer since the program started. They are

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/device.h"
 
+#include "metamarch/vulkan/compiled_kernel.h"
 #include "metamarch/vulkan/device_choice.h"
+#include "metamarch/vulkan/pipeline_cache.h"
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <cstring>
 #include <utility>
@@ -61,15 +64,52 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
 
 } // namespace
 
+struct Device::Handles {
+    Handles(const vk::raii::PhysicalDevice& usedDevice, const DeviceReport& report)
+        : physicalDevice(usedDevice), memoryProperties(physicalDevice.getMemoryProperties()),
+          device(openDevice(physicalDevice, report)), queue(device, report.computeQueueFamily.value(), 0),
+          commandPool(device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+                               report.computeQueueFamily.value()}),
+          pipelineCache(physicalDevice, device) {}
+
+    const vk::raii::PhysicalDevice& physicalDevice; // owned by the context
+    vk::PhysicalDeviceMemoryProperties memoryProperties;
+    vk::raii::Device device;
+    vk::raii::Queue queue;
+    vk::raii::CommandPool commandPool;
+    PipelineCache pipelineCache;
+    CompiledKernels kernels;
+};
+
 Device::Device(const Context& context, const std::string& selection, const DeviceUse use)
     : Device(context, chosenReport(context, selection, use)) {}
 
 Device::Device(const Context& context, DeviceReport report)
-    : report_(std::move(report)), physicalDevice_(&context.physicalDevices()[report_.index]),
-      memoryProperties_(physicalDevice_->getMemoryProperties()),
-      device_(openDevice(*physicalDevice_, report_)), queue_(device_, report_.computeQueueFamily.value(), 0),
-      commandPool_(device_,
-                   {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, report_.computeQueueFamily.value()}),
-      pipelineCache_(*physicalDevice_, device_) {}
+    : report_(std::move(report)),
+      handles_(std::make_unique<Handles>(context.physicalDevices()[report_.index], report_)) {}
+
+Device::~Device() = default;
+
+const vk::raii::Device& Device::handle() const { return handles_->device; }
+const vk::raii::PhysicalDevice& Device::physicalDevice() const { return handles_->physicalDevice; }
+const vk::raii::Queue& Device::queue() const { return handles_->queue; }
+const vk::raii::CommandPool& Device::commandPool() const { return handles_->commandPool; }
+
+std::shared_ptr<const CompiledKernel> Device::compile(KernelSource source) const {
+    return handles_->kernels.compile(handles_->device, handles_->pipelineCache, std::move(source));
+}
+
+const vk::PhysicalDeviceMemoryProperties& Device::memoryProperties() const {
+    return handles_->memoryProperties;
+}
+
+bool Device::waitIdle() const {
+    try {
+        handles_->device.waitIdle();
+        return true;
+    } catch (const vk::SystemError&) {
+        return false;
+    }
+}
 
 } // namespace metamarch::vulkan

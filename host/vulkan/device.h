@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // An open device with a compute queue, a command pool and a pipeline cache.
 #pragma once
-#include "metamarch/vulkan/compiled_kernel.h"
 #include "metamarch/vulkan/context.h"
 #include "metamarch/vulkan/device_report.h"
-#include "metamarch/vulkan/pipeline_cache.h"
+#include "metamarch/vulkan/handle_types.h"
 
-#include <cstdint>
+#include <memory>
 #include <string>
 
 namespace metamarch::vulkan {
+
+struct CompiledKernel;
+struct KernelSource;
 
 // Opens the device that `selection` names (see chooseDevice; empty: the best one). Enables no optional
 // feature except ray queries, if the device has them, and for windows VK_KHR_swapchain. Must outlive every
@@ -19,6 +21,7 @@ class Device {
   public:
     explicit Device(const Context& context, const std::string& selection = "",
                     DeviceUse use = DeviceUse::compute);
+    ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
@@ -27,27 +30,24 @@ class Device {
     // Nanoseconds per timestamp tick; 0 if the queue has no timestamps.
     float timestampPeriod() const { return report_.timestampValidBits == 0 ? 0.0f : report_.timestampPeriod; }
 
-    const vk::raii::Device& handle() const { return device_; }
-    const vk::raii::PhysicalDevice& physicalDevice() const { return *physicalDevice_; }
-    const vk::raii::Queue& queue() const { return queue_; }
-    const vk::raii::CommandPool& commandPool() const { return commandPool_; }
+    const vk::raii::Device& handle() const;
+    const vk::raii::PhysicalDevice& physicalDevice() const;
+    const vk::raii::Queue& queue() const;
+    const vk::raii::CommandPool& commandPool() const;
     // See CompiledKernels.
-    std::shared_ptr<const CompiledKernel> compile(KernelSource source) const {
-        return kernels_.compile(device_, pipelineCache_, std::move(source));
-    }
-    const vk::PhysicalDeviceMemoryProperties& memoryProperties() const { return memoryProperties_; }
+    std::shared_ptr<const CompiledKernel> compile(KernelSource source) const;
+    const vk::PhysicalDeviceMemoryProperties& memoryProperties() const;
+
+    // Waits until the device has no more work. Returns false if the device is lost.
+    bool waitIdle() const;
 
   private:
+    struct Handles;
+
     Device(const Context& context, DeviceReport report);
 
     DeviceReport report_;
-    const vk::raii::PhysicalDevice* physicalDevice_; // owned by the context
-    vk::PhysicalDeviceMemoryProperties memoryProperties_;
-    vk::raii::Device device_;
-    vk::raii::Queue queue_;
-    vk::raii::CommandPool commandPool_;
-    mutable PipelineCache pipelineCache_;
-    mutable CompiledKernels kernels_;
+    std::unique_ptr<Handles> handles_;
 };
 
 } // namespace metamarch::vulkan

@@ -2,6 +2,7 @@
 #include "metamarch/vulkan/device_report.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <algorithm>
 #include <cstring>

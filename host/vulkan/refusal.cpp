@@ -2,6 +2,7 @@
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
+#include <vulkan/vulkan.hpp>
 
 #include <fstream>
 #include <optional>
@@ -35,6 +36,11 @@ Error refusalOf(const vk::SystemError& error, const std::string& what) {
                         error.code() == vk::Result::eErrorOutOfHostMemory;
     return {memory ? ErrorKind::outOfMemory : ErrorKind::noDevice,
             fmt::format("{} ({}){}", what, error.what(), addressLimitText())};
+}
+
+std::optional<Error> refusalOf(const std::system_error& error, const std::string& what) {
+    const auto* const vulkan = dynamic_cast<const vk::SystemError*>(&error);
+    return vulkan == nullptr ? std::nullopt : std::optional(refusalOf(*vulkan, what));
 }
 
 std::string addressLimitText() {

@@ -5,6 +5,8 @@
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vulkan/vulkan_raii.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -100,11 +102,18 @@ void Commands::fill(const Buffer& buffer, uint32_t word) {
     commandBuffer_->fillBuffer(buffer.handle(), 0, buffer.size(), word);
 }
 
-Submission::Submission(const Device& device)
-    : device_(&device), commandBuffer_(allocateCommandBuffer(device)),
-      fence_(device.handle(), vk::FenceCreateInfo()) {
+struct Submission::Handles {
+    explicit Handles(const Device& device)
+        : commandBuffer(allocateCommandBuffer(device)), fence(device.handle(), vk::FenceCreateInfo()) {}
+
+    vk::raii::CommandBuffer commandBuffer;
+    vk::raii::Fence fence;
+    vk::raii::QueryPool timestamps = nullptr; // null on a queue without timestamps
+};
+
+Submission::Submission(const Device& device) : device_(&device), handles_(std::make_unique<Handles>(device)) {
     if (device.timestampPeriod() > 0) {
-        timestamps_ = {device.handle(), vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2)};
+        handles_->timestamps = {device.handle(), vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2)};
     }
 }
 
@@ -123,27 +132,29 @@ void Submission::start(const Recorder& record) {
     if (inFlight_) {
         throw std::logic_error("Submission::start: the work before has not been waited for");
     }
+    const vk::raii::CommandBuffer& commandBuffer = handles_->commandBuffer;
+    const vk::raii::QueryPool& timestamps = handles_->timestamps;
     try {
-        commandBuffer_.reset(); // it may be partly recorded, because a recorder may throw
-        commandBuffer_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        const bool timed = *timestamps_;
+        commandBuffer.reset(); // it may be partly recorded, because a recorder may throw
+        commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        const bool timed = *timestamps;
         if (timed) {
-            commandBuffer_.resetQueryPool(*timestamps_, 0, 2);
+            commandBuffer.resetQueryPool(*timestamps, 0, 2);
             // At the bottom of the pipe, earlier submissions are over, and their time does not count.
-            commandBuffer_.writeTimestamp(Stage::eBottomOfPipe, *timestamps_, 0);
+            commandBuffer.writeTimestamp(Stage::eBottomOfPipe, *timestamps, 0);
         }
-        Commands commands(*device_, commandBuffer_);
+        Commands commands(*device_, commandBuffer);
         record(commands);
         if (timed) {
-            commandBuffer_.writeTimestamp(Stage::eBottomOfPipe, *timestamps_, 1);
+            commandBuffer.writeTimestamp(Stage::eBottomOfPipe, *timestamps, 1);
         }
         const vk::MemoryBarrier toHost(kWorkWrites, Access::eHostRead);
-        commandBuffer_.pipelineBarrier(kWorkStages, Stage::eHost, {}, toHost, {}, {});
-        commandBuffer_.end();
+        commandBuffer.pipelineBarrier(kWorkStages, Stage::eHost, {}, toHost, {}, {});
+        commandBuffer.end();
 
-        device_->handle().resetFences(*fence_);
+        device_->handle().resetFences(*handles_->fence);
         startTime_ = std::chrono::steady_clock::now();
-        device_->queue().submit(vk::SubmitInfo({}, {}, *commandBuffer_), *fence_);
+        device_->queue().submit(vk::SubmitInfo({}, {}, *commandBuffer), *handles_->fence);
         inFlight_ = true;
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot submit work", device_->name()));
@@ -159,7 +170,7 @@ double Submission::wait() {
         // Waits as long as it takes: giving up would free memory that the device still writes to. A device
         // that hangs is reset by its driver, and then it is lost.
         constexpr uint64_t kForever = std::numeric_limits<uint64_t>::max();
-        if (device_->handle().waitForFences(*fence_, VK_TRUE, kForever) != vk::Result::eSuccess) {
+        if (device_->handle().waitForFences(*handles_->fence, VK_TRUE, kForever) != vk::Result::eSuccess) {
             throw Error(ErrorKind::noDevice, fmt::format("{}: device lost", device_->name()));
         }
         return deviceSeconds();
@@ -175,12 +186,12 @@ double Submission::run(const Recorder& record) {
 
 double Submission::deviceSeconds() const {
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - startTime_).count();
-    if (!*timestamps_) {
+    if (!*handles_->timestamps) {
         return wall;
     }
-    const auto [result, ticks] =
-        timestamps_.getResults<uint64_t>(0, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),
-                                         vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+    const auto [result, ticks] = handles_->timestamps.getResults<uint64_t>(
+        0, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),
+        vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
     // A counter with n bits wraps at 2^n.
     const uint32_t unusedBits = 64 - device_->report().timestampValidBits;
     const uint64_t elapsed = ((ticks[1] - ticks[0]) << unusedBits) >> unusedBits;

@@ -4,12 +4,14 @@
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/compute_pipeline.h"
 #include "metamarch/vulkan/device.h"
+#include "metamarch/vulkan/handle_types.h"
 
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <type_traits>
 
@@ -75,12 +77,12 @@ class Submission {
     double run(const Recorder& record);
 
   private:
+    struct Handles;
+
     double deviceSeconds() const;
 
     const Device* device_;
-    vk::raii::CommandBuffer commandBuffer_;
-    vk::raii::Fence fence_;
-    vk::raii::QueryPool timestamps_ = nullptr; // null on a queue without timestamps
+    std::unique_ptr<Handles> handles_;
     std::chrono::steady_clock::time_point startTime_;
     bool inFlight_ = false;
 };

@@ -18,18 +18,17 @@ namespace {
 constexpr uint32_t kBoxes = 8;
 
 // Returns unit cubes along x, two units apart.
-std::vector<vk::AabbPositionsKHR> row() {
-    std::vector<vk::AabbPositionsKHR> boxes;
+std::vector<VkAabbPositionsKHR> row() {
+    std::vector<VkAabbPositionsKHR> boxes;
     for (uint32_t i = 0; i < kBoxes; ++i) {
         const auto x = static_cast<float>(3 * i);
-        boxes.emplace_back(x, 0.0f, 0.0f, x + 1.0f, 1.0f, 1.0f);
+        boxes.push_back({x, 0.0f, 0.0f, x + 1.0f, 1.0f, 1.0f});
     }
     return boxes;
 }
 
 // Returns, for each pair of origin and direction, a bit mask of the boxes that the ray may meet.
-std::vector<uint32_t> meet(const std::vector<vk::AabbPositionsKHR>& boxes,
-                           const std::vector<glm::vec4>& rays) {
+std::vector<uint32_t> meet(const std::vector<VkAabbPositionsKHR>& boxes, const std::vector<glm::vec4>& rays) {
     const Device& device = testDevice();
     const BoxHierarchy hierarchy(device, boxes, "boxes");
     EXPECT_GT(hierarchy.size(), 0u);

@@ -6,6 +6,7 @@
 #include "metamarch/vulkan/transfer.h"
 
 #include <gtest/gtest.h>
+#include <vulkan/vulkan.hpp>
 
 #include <cstring>
 #include <numeric>

@@ -3,6 +3,7 @@
 #include "metamarch/vulkan/device_report.h"
 
 #include <gtest/gtest.h>
+#include <vulkan/vulkan_raii.hpp>
 
 namespace metamarch::vulkan {
 namespace {

@@ -13,7 +13,8 @@ from libraries import read_libraries, visible
 
 def compile_flags(commands, library):
     """Returns the compiler and its flags for a source of the library, without the file and the output."""
-    entry = next(entry for entry in commands if Path(entry["file"]) in library.sources)
+    together = f"/metamarch_{library.name}.dir/Unity/"  # where CMake compiles several sources as one
+    entry = next(entry for entry in commands if Path(entry["file"]) in library.sources or together in entry["file"])
     words = shlex.split(entry["command"])
     first = next(i for i, word in enumerate(words) if Path(word).name != "ccache")
     return words[first : words.index("-o")], entry["directory"]
