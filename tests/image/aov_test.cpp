@@ -74,6 +74,7 @@ TEST(Aov, isListedInTheReadme) {
 
 std::vector<std::string> namesOf(const std::vector<Aov>& rows) {
     std::vector<std::string> names;
+    names.reserve(rows.size());
     for (const Aov& aov : rows) {
         names.push_back(aov.name());
     }

@@ -181,7 +181,7 @@ TEST(ImageFile, PartsThatDoNotFitAreRefused) {
         parts[1].channelnames = {channel};
         parts[0].attribute("oiio:subimagename", "first");
         parts[1].attribute("oiio:subimagename", "second");
-        const std::string path = folder / "a.exr";
+        std::string path = folder / "a.exr";
         const auto output = OIIO::ImageOutput::create("exr");
         EXPECT_TRUE(output->open(path, 2, parts.data()));
         EXPECT_TRUE(output->write_image(OIIO::TypeFloat, values.data()));

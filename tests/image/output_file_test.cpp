@@ -157,6 +157,7 @@ TEST(OutputFile, KnowsWhatIsTheSame) {
 TEST(TemporaryFile, HasANameOfItsOwnAndIsRemovedBySignals) {
     const TemporaryFolder folder;
     std::vector<std::unique_ptr<OutputFile>> files;
+    files.reserve(5);
     for (int i = 0; i < 5; ++i) {
         files.push_back(std::make_unique<OutputFile>(folder / "a"));
     }
