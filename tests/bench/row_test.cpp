@@ -2,6 +2,7 @@
 #include "metamarch/bench/row.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
