@@ -49,9 +49,14 @@ extern const std::string kDefaultTraversal;
 
 // Compares all bits except steps and tests, which depend on the traversal.
 bool isSamePixel(const FilmPixel& a, const FilmPixel& b);
+
+// Returns true if two films of the same samples show the same picture: their mean radiances differ by at most
+// four standard errors and a part in a thousand, and at most one pixel in twenty by more than a hundredth.
+bool isSamePicture(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>& b);
+
+// Expect the same bits on a device that keeps bits, and the same picture on others.
 void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected);
 
-// Compares all bits.
 void expectSameLight(const std::vector<LightParts>& light, const std::vector<LightParts>& expected);
 
 // Expects a film whose pixels are neither all black nor all equal.

@@ -34,6 +34,25 @@ TEST_P(PathGpu, drawsWhatTheCpuDraws) {
 INSTANTIATE_TEST_SUITE_P(Scenes, PathGpu, testing::ValuesIn(gpuPathScenes()),
                          [](const auto& instance) { return instance.param.name; });
 
+// What a device that rounds otherwise may draw: the last bits of every pixel differ. A picture that is a
+// little too bright, or wrong in some pixels, is another.
+TEST(SamePicture, holdsOtherLastBitsAlone) {
+    const std::vector<FilmPixel> film =
+        BothSides(gpuPathScenes().front().make(), {28, 20}).onCpu({.samples = 16});
+    const auto changed = [&](const float factor, const std::size_t step) {
+        std::vector<FilmPixel> other = film;
+        for (std::size_t i = 0; i < other.size(); i += step) {
+            other[i].radiance *= factor;
+            other[i].squares *= factor * factor;
+        }
+        return other;
+    };
+    EXPECT_TRUE(isSamePicture(film, changed(1.00001f, 1)));
+    EXPECT_FALSE(isSamePicture(film, changed(1.02f, 1)));
+    EXPECT_FALSE(isSamePicture(film, changed(3.0f, 10)));
+    EXPECT_FALSE(isSamePicture(film, {film.begin(), film.end() - 1}));
+}
+
 class PathGpuWork : public testing::Test {
   protected:
     void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }

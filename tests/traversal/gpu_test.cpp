@@ -2,6 +2,7 @@
 // Compares every traversal on the device with the judges, ray by ray and pixel by pixel, under validation.
 #include "fixtures/ray_sets.h"
 #include "fixtures/vulkan_environment.h"
+#include "metamarch/bench/hit_check.h"
 #include "metamarch/reference/primary.h"
 #include "metamarch/reference/twins.h"
 #include "metamarch/render/primary_renderer.h"
@@ -63,6 +64,22 @@ std::vector<std::string_view> offeredTraversals(const vulkan::Device& device) {
     return offered;
 }
 
+// Expects the hits of the CPU: bit by bit where the device keeps bits, elsewhere within the benchmark's
+// tolerance.
+void expectHitsOfCpu(const Lattice& lattice, const std::span<const RayQuery> rays,
+                     const std::vector<RayResult>& results, const std::span<const RayResult> expected,
+                     const HitQuery query, const Counters counters) {
+    if (vulkan::testDeviceKeepsBits() && query == HitQuery::any && counters == Counters::ignored) {
+        expectSameOcclusion(rays, results, expected);
+    } else if (vulkan::testDeviceKeepsBits()) {
+        expectSameHits(rays, results, expected, counters);
+    } else {
+        const auto tolerance = bench::toleranceOn(vulkan::testDevice().report().driver, lattice);
+        const std::uint64_t different = bench::countDifferent(rays, results, expected, query, tolerance);
+        EXPECT_TRUE(bench::isWithinBudget(different, rays.size(), tolerance)) << different << " rays";
+    }
+}
+
 struct LoadedScene {
     Scene scene;
     AccelerationStructure structure;
@@ -109,8 +126,10 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
             return render::RayTracer(device, buffers, std::string(traversal), anyHit).trace(some);
         };
         if (!hasTwin(traversal)) {
-            expectSameHits(some, onDevice(false), std::span(stack).first(count), Counters::ignored);
-            expectSameOcclusion(some, onDevice(true), std::span(stack).first(count));
+            for (const HitQuery query : {HitQuery::closest, HitQuery::any}) {
+                expectHitsOfCpu(structure.lattice, some, onDevice(query == HitQuery::any),
+                                std::span(stack).first(count), query, Counters::ignored);
+            }
             continue;
         }
         const auto twin = [&](const HitQuery query) {
@@ -122,8 +141,9 @@ TEST_P(Gpu, hitsWhatTheJudgesHit) {
         const auto any = twin(HitQuery::any);
         expectSameHits(some, closest, std::span(stack).first(count), Counters::ignored);
         expectSameOcclusion(some, any, std::span(stack).first(count));
-        expectSameHits(some, onDevice(false), closest, Counters::compared);
-        expectSameHits(some, onDevice(true), any, Counters::compared);
+        expectHitsOfCpu(structure.lattice, some, onDevice(false), closest, HitQuery::closest,
+                        Counters::compared);
+        expectHitsOfCpu(structure.lattice, some, onDevice(true), any, HitQuery::any, Counters::compared);
     }
 }
 
@@ -157,12 +177,16 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
                 render::renderPrimaryOnDevice(device, buffers, std::string(traversal), camera);
             std::size_t different = 0;
             for (std::size_t i = 0; i < expected.size(); ++i) {
-                // Compare all bits except steps and tests.
-                different +=
-                    std::memcmp(&result.film.pixels[i], &expected[i], offsetof(FilmPixel, steps)) == 0 ? 0
-                                                                                                       : 1;
+                // Compare all bits except steps and tests, or what is seen.
+                const FilmPixel& drawn = result.film.pixels[i];
+                const bool isSame = vulkan::testDeviceKeepsBits()
+                                        ? std::memcmp(&drawn, &expected[i], offsetof(FilmPixel, steps)) == 0
+                                        : drawn.seen.triangleId == expected[i].seen.triangleId;
+                different += isSame ? 0 : 1;
             }
-            EXPECT_EQ(different, 0u) << "pixels";
+            // One pixel in a thousand may show another triangle's edge where a device rounds otherwise.
+            const std::size_t budget = vulkan::testDeviceKeepsBits() ? 0 : expected.size() / 1000 + 1;
+            EXPECT_LE(different, budget) << "pixels";
         }
     }
 }
