@@ -40,7 +40,11 @@ class Viewer {
   public:
     explicit Viewer(const ViewerOptions& usedOptions)
         : options(usedOptions), window(system, options.size, "metamarch"),
-          context(system.instanceExtensions()), device(context, options.device, vulkan::DeviceUse::window),
+          context(system.instanceExtensions()),
+          device(context, options.device,
+                 [this](const VkPhysicalDevice candidate, const std::uint32_t queueFamily) {
+                     return system.presents(*context.instance(), candidate, queueFamily);
+                 }),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
           scenes(options.scene, options.settings), splitView(device) {
         state.file = options.scene.file;

@@ -44,6 +44,11 @@ std::vector<const char*> WindowSystem::instanceExtensions() const {
     return {names, names + count};
 }
 
+bool WindowSystem::presents(const VkInstance instance, const VkPhysicalDevice device,
+                            const std::uint32_t queueFamily) const {
+    return glfwGetPhysicalDevicePresentationSupport(instance, device, queueFamily) == GLFW_TRUE;
+}
+
 Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& firstTitle)
     : title(firstTitle) {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vulkan/vulkan_core.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ class WindowSystem {
 
     // Returns the extensions that a Vulkan instance needs for windows.
     std::vector<const char*> instanceExtensions() const;
+
+    // Returns true if a queue of this family can present to windows of this system.
+    bool presents(VkInstance instance, VkPhysicalDevice device, std::uint32_t queueFamily) const;
 };
 
 class Window {

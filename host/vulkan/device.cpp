@@ -16,8 +16,9 @@
 namespace metamarch::vulkan {
 namespace {
 
-DeviceReport chosenReport(const Context& context, const std::string& selection, const DeviceUse use) {
-    std::vector<DeviceReport> reports = reportDevices(context, use);
+DeviceReport chosenReport(const Context& context, const std::string& selection,
+                          const PresentSupport& presents) {
+    std::vector<DeviceReport> reports = reportDevices(context, presents);
     return std::move(reports[chooseDevice(reports, selection)]);
 }
 
@@ -32,7 +33,7 @@ vk::raii::Device openDevice(const vk::raii::PhysicalDevice& physicalDevice, cons
         }
     }
 
-    if (report.use == DeviceUse::window) {
+    if (report.isForWindow) {
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     }
 
@@ -81,8 +82,8 @@ struct Device::Handles {
     CompiledKernels kernels;
 };
 
-Device::Device(const Context& context, const std::string& selection, const DeviceUse use)
-    : Device(context, chosenReport(context, selection, use)) {}
+Device::Device(const Context& context, const std::string& selection, const PresentSupport& presents)
+    : Device(context, chosenReport(context, selection, presents)) {}
 
 Device::Device(const Context& context, DeviceReport report)
     : report_(std::move(report)),

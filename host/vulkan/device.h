@@ -14,13 +14,13 @@ struct CompiledKernel;
 struct KernelSource;
 
 // Opens the device that `selection` names (see chooseDevice; empty: the best one). Enables no optional
-// feature except ray queries, if the device has them, and for windows VK_KHR_swapchain. Must outlive every
-// Buffer, ComputePipeline and Submission made from it; they point to it, so it can be neither copied nor
-// moved. Use it from one thread at a time. Throws Error(noDevice).
+// feature except ray queries, if the device has them, and VK_KHR_swapchain with `presents`, for a window.
+// Must outlive every Buffer, ComputePipeline and Submission made from it; they point to it, so it can be
+// neither copied nor moved. Use it from one thread at a time. Throws Error(noDevice).
 class Device {
   public:
     explicit Device(const Context& context, const std::string& selection = "",
-                    DeviceUse use = DeviceUse::compute);
+                    const PresentSupport& presents = {});
     ~Device();
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;

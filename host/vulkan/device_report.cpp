@@ -41,9 +41,10 @@ void addLimits(DeviceReport& report, const vk::PhysicalDeviceLimits& limits) {
     report.maxPushConstantsSize = limits.maxPushConstantsSize;
 }
 
-// Prefers, for DeviceUse::compute, a family without graphics: on GPUs that have one, its work runs beside
-// that of the desktop.
-void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice) {
+// Prefers, without a window, a family without graphics: on GPUs that have one, its work runs beside that of
+// the desktop.
+void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physicalDevice,
+                    const PresentSupport& presents) {
     const auto families = physicalDevice.getQueueFamilyProperties();
     for (uint32_t family = 0; family < families.size(); ++family) {
         const vk::QueueFlags flags = families[family].queueFlags;
@@ -51,7 +52,7 @@ void addQueueFamily(DeviceReport& report, const vk::raii::PhysicalDevice& physic
             continue;
         }
         const bool computeOnly = !(flags & vk::QueueFlagBits::eGraphics);
-        if (report.use == DeviceUse::window && computeOnly) {
+        if (report.isForWindow && (computeOnly || !presents(*physicalDevice, family))) {
             continue;
         }
         if (computeOnly || !report.computeQueueFamily) {
@@ -126,16 +127,17 @@ void addRayQuery(DeviceReport& report, const vk::raii::PhysicalDevice& physicalD
     report.minScratchAlignment = limits.minAccelerationStructureScratchOffsetAlignment;
 }
 
-DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, uint32_t index, DeviceUse use) {
+DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, const uint32_t index,
+                          const PresentSupport& presents) {
     const vk::PhysicalDeviceProperties properties = physicalDevice.getProperties();
     DeviceReport report;
     report.index = index;
-    report.use = use;
+    report.isForWindow = presents != nullptr;
     report.name = properties.deviceName.data();
     report.apiVersion = properties.apiVersion;
     report.type = typeOf(properties.deviceType);
     addLimits(report, properties.limits);
-    addQueueFamily(report, physicalDevice);
+    addQueueFamily(report, physicalDevice, presents);
     addHeap(report, physicalDevice);
     if (properties.apiVersion >= kApiVersion) {
         addVersion12Properties(report, physicalDevice);
@@ -191,10 +193,10 @@ std::vector<std::string> refusalsOf(const DeviceReport& report) {
                                        VK_API_VERSION_MAJOR(kApiVersion), VK_API_VERSION_MINOR(kApiVersion)));
     }
     if (!report.computeQueueFamily) {
-        refusals.emplace_back(report.use == DeviceUse::window ? "no queue that computes and draws"
-                                                              : "no compute queue");
+        refusals.emplace_back(report.isForWindow ? "no queue that computes, draws and presents to this window"
+                                                 : "no compute queue");
     }
-    if (report.use == DeviceUse::window && !report.hasSwapchain) {
+    if (report.isForWindow && !report.hasSwapchain) {
         refusals.emplace_back("no VK_KHR_swapchain, which a window takes");
     }
     require("maxComputeWorkGroupInvocations", report.maxComputeWorkGroupInvocations, kWorkGroupSize);
@@ -205,10 +207,10 @@ std::vector<std::string> refusalsOf(const DeviceReport& report) {
     return refusals;
 }
 
-std::vector<DeviceReport> reportDevices(const Context& context, const DeviceUse use) {
+std::vector<DeviceReport> reportDevices(const Context& context, const PresentSupport& presents) {
     std::vector<DeviceReport> reports;
     for (const vk::raii::PhysicalDevice& physicalDevice : context.physicalDevices()) {
-        reports.push_back(reportDevice(physicalDevice, static_cast<uint32_t>(reports.size()), use));
+        reports.push_back(reportDevice(physicalDevice, static_cast<uint32_t>(reports.size()), presents));
     }
     return reports;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ namespace metamarch::vulkan {
 // The types are in order of preference.
 enum class DeviceType { discrete, integrated, virtualGpu, cpu, other };
 
-// The use that a device is opened for. A device for a window also draws and presents.
-enum class DeviceUse { compute, window };
+// Returns true if a queue of this family can present to the caller's window. This library knows no windows.
+using PresentSupport = std::function<bool(VkPhysicalDevice device, uint32_t queueFamily)>;
 
 struct DeviceReport {
     uint32_t index = 0; // in the loader's order
@@ -24,9 +25,9 @@ struct DeviceReport {
     std::string driverInfo; // "Mesa 22.3.6 (LLVM 15.0.6)"
     uint32_t apiVersion = 0;
     DeviceType type = DeviceType::other;
-    DeviceUse use = DeviceUse::compute; // what computeQueueFamily and refusals apply to
+    bool isForWindow = false; // what computeQueueFamily and refusals apply to
 
-    std::optional<uint32_t> computeQueueFamily; // for DeviceUse::window it also supports graphics
+    std::optional<uint32_t> computeQueueFamily; // for a window it also draws and presents
     bool hasSwapchain = false;
     uint32_t timestampValidBits = 0; // of that queue family; 0: no timestamps, durations are wall-clock times
     float timestampPeriod = 0;       // nanoseconds per tick
@@ -77,7 +78,8 @@ std::string versionText(uint32_t apiVersion);
 // Derives the refusals from all other members. An empty list means that the device is usable.
 std::vector<std::string> refusalsOf(const DeviceReport& report);
 
-// Returns one report per device, in the context's order.
-std::vector<DeviceReport> reportDevices(const Context& context, DeviceUse use = DeviceUse::compute);
+// Returns one report per device, in the context's order. A device for a window needs `presents`, one for
+// computing alone has none.
+std::vector<DeviceReport> reportDevices(const Context& context, const PresentSupport& presents = {});
 
 } // namespace metamarch::vulkan

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <vulkan/vulkan_raii.hpp>
 
+#include <algorithm>
+
 namespace metamarch::vulkan {
 namespace {
 
@@ -45,10 +47,10 @@ TEST(DeviceReport, namesEveryReason) {
 
 TEST(DeviceReport, asksMoreOfAWindowsDevice) {
     DeviceReport report = sufficient();
-    report.use = DeviceUse::window;
+    report.isForWindow = true;
     report.computeQueueFamily.reset();
     report.hasSwapchain = false;
-    const std::vector<std::string> expected = {"no queue that computes and draws",
+    const std::vector<std::string> expected = {"no queue that computes, draws and presents to this window",
                                                "no VK_KHR_swapchain, which a window takes"};
     EXPECT_EQ(refusalsOf(report), expected);
 }
@@ -68,6 +70,22 @@ TEST(DeviceReport, describesTheDevicesOfThisMachine) {
     for (uint32_t index = 0; index < reports.size(); ++index) {
         EXPECT_EQ(reports[index].index, index);
         EXPECT_FALSE(reports[index].name.empty());
+    }
+}
+
+// A device whose queues draw, but do not present to the window, is refused before it is opened.
+TEST(DeviceReport, refusesDevicesThatDoNotPresent) {
+    for (const bool isOffered : {false, true}) {
+        const auto reports =
+            reportDevices(testContext(), [&](VkPhysicalDevice, uint32_t) { return isOffered; });
+        for (const DeviceReport& report : reports) {
+            EXPECT_TRUE(report.isForWindow);
+            const bool isRefused =
+                std::ranges::find(report.refusals,
+                                  "no queue that computes, draws and presents to this window") !=
+                report.refusals.end();
+            EXPECT_EQ(isRefused, !isOffered) << report.name;
+        }
     }
 }
 
