@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace metamarch {
 namespace {
@@ -13,48 +14,57 @@ struct Polygon {
     std::size_t size = 0;
 };
 
-// Keeps the part of the polygon where side * (p[axis] - plane) >= 0.
-void clip(Polygon& polygon, const int axis, const double plane, const double side) {
-    Polygon kept;
+// Makes `kept` the part of the polygon where side * (p[axis] - plane) >= 0.
+void clip(const Polygon& polygon, const int axis, const double plane, const double side, Polygon& kept) {
+    kept.size = 0;
+    if (polygon.size == 0) {
+        return;
+    }
+    double dp = side * (polygon.corners[0][axis] - plane);
     for (std::size_t i = 0; i < polygon.size; ++i) {
         const glm::dvec3& p = polygon.corners[i];
         const glm::dvec3& q = polygon.corners[i + 1 == polygon.size ? 0 : i + 1];
-        const double dp = side * (p[axis] - plane);
         const double dq = side * (q[axis] - plane);
         if (dp >= 0.0) {
             kept.corners[kept.size++] = p;
         }
         if ((dp < 0.0) != (dq < 0.0)) {
-            glm::dvec3 cut = p + (q - p) * (dp / (dp - dq));
+            glm::dvec3& cut = kept.corners[kept.size++];
+            cut = p + (q - p) * (dp / (dp - dq));
             cut[axis] = plane;
-            kept.corners[kept.size++] = cut;
         }
+        dp = dq;
     }
-    polygon = kept;
 }
 
 } // namespace
 
 std::optional<Box> clipTriangle(const LatticeTriangle& triangle, const Box& box) {
-    Polygon polygon;
-    std::copy(triangle.begin(), triangle.end(), polygon.corners.begin());
-    polygon.size = 3;
+    std::array<Polygon, 2> polygons;
+    Polygon* polygon = &polygons[0];
+    Polygon* spare = &polygons[1];
+    std::copy(triangle.begin(), triangle.end(), polygon->corners.begin());
+    polygon->size = 3;
+    const auto cut = [&](const int axis, const double plane, const double side) {
+        clip(*polygon, axis, plane, side, *spare);
+        std::swap(polygon, spare);
+    };
     const glm::dvec3 lo = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
     const glm::dvec3 hi = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
     for (int axis = 0; axis < 3; ++axis) {
         if (lo[axis] < box.lo[axis]) {
-            clip(polygon, axis, box.lo[axis], 1.0);
+            cut(axis, box.lo[axis], 1.0);
         }
         if (hi[axis] > box.hi[axis]) {
-            clip(polygon, axis, box.hi[axis], -1.0);
+            cut(axis, box.hi[axis], -1.0);
         }
     }
-    if (polygon.size == 0) {
+    if (polygon->size == 0) {
         return std::nullopt;
     }
     Box part;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-        part.grow({polygon.corners[i], polygon.corners[i]});
+    for (std::size_t i = 0; i < polygon->size; ++i) {
+        part.grow({polygon->corners[i], polygon->corners[i]});
     }
     return part;
 }
