@@ -2,6 +2,7 @@
 // One inner node of the bounding volume hierarchy: the boxes of its two children, in lattice space.
 #ifndef METAMARCH_SHARED_BVH_NODE_H
 #define METAMARCH_SHARED_BVH_NODE_H
+#include "interval.h"
 #include "ray.h"
 
 SHARED_BEGIN
@@ -14,6 +15,7 @@ const uint kMaxBvhDepth = 48u;
 const uint kBvhLeaf = 0x80000000u;
 const uint kMaxBvhLeafTriangles = 15u;
 const uint kMaxBvhTriangles = 0x08000000u;
+const uint kEmptyBvhLeaf = kBvhLeaf; // no triangles; stands for no child
 
 struct BvhNode {
     vec3 lo0;
@@ -35,7 +37,9 @@ SHARED_FN uint bvhFirstTriangle(const uint child) { return child & 0x07ffffffu; 
 SHARED_FN vec2 crossBox(const Ray ray, const vec3 lo, const vec3 hi, const float tMax) {
     const vec3 t0 = (lo - ray.start) * ray.invStride;
     const vec3 t1 = (hi - ray.start) * ray.invStride;
-    return vec2(max(largest(min(t0, t1)), 0.0f), min(smallest(max(t0, t1)), tMax));
+    const float near = larger(larger(smaller(t0.x, t1.x), smaller(t0.y, t1.y)), smaller(t0.z, t1.z));
+    const float far = smaller(smaller(larger(t0.x, t1.x), larger(t0.y, t1.y)), larger(t0.z, t1.z));
+    return vec2(larger(near, 0.0f), smaller(far, tMax));
 }
 
 SHARED_ASSERT_SIZE(BvhNode, 64)

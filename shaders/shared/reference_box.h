@@ -8,6 +8,7 @@
 // the same, whatever its size. src/accel/README.md says why no hit is lost.
 #ifndef METAMARCH_SHARED_REFERENCE_BOX_H
 #define METAMARCH_SHARED_REFERENCE_BOX_H
+#include "interval.h"
 #include "ray.h"
 
 SHARED_BEGIN
@@ -65,10 +66,6 @@ SHARED_FN FrameCrossing crossFrame(const Ray ray, const LeafFrame frame) {
     return FrameCrossing((low * kFrameStep - ray.start) * ray.invStride,
                          (size * kFrameStepsToParts) * ray.invStride);
 }
-
-// A comparison and a choice are one instruction on lavapipe, max() is three. No argument is NaN.
-SHARED_FN float larger(const float a, const float b) { return a > b ? a : b; }
-SHARED_FN float smaller(const float a, const float b) { return a < b ? a : b; }
 
 // Returns the interval of t in which the ray is in the box and in [span.x, span.y]; if it is empty, the first
 // number is the larger one. `shift` is nearPlaneShift.

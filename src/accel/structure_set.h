@@ -6,6 +6,7 @@
 #include "metamarch/accel/kd_links.h"
 #include "metamarch/accel/rectilinear_table.h"
 #include "metamarch/accel/uniform_grid.h"
+#include "metamarch/accel/wide_bvh.h"
 
 #include <tbb/collaborative_call_once.h>
 
@@ -72,6 +73,7 @@ class StructureSet {
     const Lazy<std::vector<std::uint32_t>> kdRopes{[this] { return tieRopes(structure.tree); }};
     const Lazy<Bvh> bvh{[this](const Triangles& records) { return buildBvh(structure.lattice, records); },
                         triangles};
+    const Lazy<std::vector<WideBvhNode>> wideBvh{[](const Bvh& binary) { return widen(binary); }, bvh};
     const Lazy<UniformGrid> uniformGrid{
         [this](const Triangles& records) { return buildUniformGrid(structure.lattice, records); }, triangles};
     const Lazy<RectilinearTable> rectilinearTable{

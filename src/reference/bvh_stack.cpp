@@ -3,16 +3,10 @@
 #include "metamarch/reference/triangle_records.h"
 #include "metamarch/reference/twins.h"
 
-#include <algorithm>
 #include <array>
 
 namespace metamarch::bvh_stack {
 namespace {
-
-struct Pending {
-    std::uint32_t child;
-    float tNear;
-};
 
 template <Invariants invariants>
 [[gnu::flatten]] TraceResult traverse(const StructureSet& structures, const Ray& ray, const HitQuery query) {
@@ -21,12 +15,11 @@ template <Invariants invariants>
         return trace;
     }
     const Bvh& bvh = structures.bvh();
-    std::array<Pending, kMaxBvhDepth> stack;
+    std::array<std::uint32_t, kMaxBvhDepth> stack;
     std::size_t stackSize = 0;
     std::uint32_t child = 0;
     while (true) {
-        bool missed = false;
-        while (!missed && !isBvhLeaf(child)) {
+        while (!isBvhLeaf(child)) {
             ++trace.steps;
             const BvhNode& node = bvh.nodes[child];
             const vec2 t0 = crossBox(ray, node.lo0, node.hi0, trace.hit.t);
@@ -34,26 +27,21 @@ template <Invariants invariants>
             const bool meets0 = t0.x <= t0.y;
             const bool meets1 = t1.x <= t1.y;
             const bool firstIs0 = meets0 && (!meets1 || t0.x <= t1.x);
+            child = firstIs0 ? node.child0 : node.child1;
             if (meets0 && meets1) {
                 require<invariants>(stackSize < kMaxBvhDepth, "the BVH is deeper than the stack");
-                stack[stackSize++] = {firstIs0 ? node.child1 : node.child0, std::max(t0.x, t1.x)};
+                stack[stackSize++] = firstIs0 ? node.child1 : node.child0;
             }
-            missed = !meets0 && !meets1;
-            child = firstIs0 ? node.child0 : node.child1;
-        }
-        if (!missed) {
-            ++trace.steps;
-            testTriangles(bvh.triangles, ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
-            if (isDone(trace, query)) {
-                return trace;
+            if (!meets0 && !meets1) {
+                child = stackSize == 0 ? kEmptyBvhLeaf : stack[--stackSize];
             }
         }
-        do {
-            if (stackSize == 0) {
-                return trace;
-            }
-            child = stack[--stackSize].child;
-        } while (stack[stackSize].tNear > trace.hit.t);
+        trace.steps += child == kEmptyBvhLeaf ? 0 : 1;
+        testTriangles(bvh.triangles, ray, bvhFirstTriangle(child), bvhTriangleCount(child), trace);
+        if (stackSize == 0 || isDone(trace, query)) {
+            return trace;
+        }
+        child = stack[--stackSize];
     }
 }
 

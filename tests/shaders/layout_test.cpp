@@ -17,6 +17,7 @@
 #include "metamarch/shared/scene_layout.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/shared/shading_layout.h"
+#include "metamarch/shared/wide_bvh_node.h"
 #include "metamarch/vulkan/device_report.h"
 #include "shaders/spirv_layout.h"
 
@@ -72,6 +73,12 @@ const StructLayout kStructs[] = {
     {"KdParent",
      sizeof(KdParent),
      {MEMBER(KdParent, lo), MEMBER(KdParent, hi), MEMBER(KdParent, parent), MEMBER(KdParent, padding)}},
+    {"WideBvhNode",
+     sizeof(WideBvhNode),
+     {MEMBER(WideBvhNode, origin), MEMBER(WideBvhNode, steps), MEMBER(WideBvhNode, lo),
+      MEMBER(WideBvhNode, padding0), MEMBER(WideBvhNode, hi), MEMBER(WideBvhNode, padding1),
+      MEMBER(WideBvhNode, child0), MEMBER(WideBvhNode, child1), MEMBER(WideBvhNode, child2),
+      MEMBER(WideBvhNode, child3)}},
     {"BvhNode",
      sizeof(BvhNode),
      {MEMBER(BvhNode, lo0), MEMBER(BvhNode, child0), MEMBER(BvhNode, hi0), MEMBER(BvhNode, child1),
@@ -237,6 +244,7 @@ const WordBuffer kWordBuffers[] = {
     {"kdNodeWordsBuffer", "KdNode"},
     {"kdParentWordsBuffer", "KdParent"},
     {"bvhNodeWordsBuffer", "BvhNode"},
+    {"wideNodeWordsBuffer", "WideBvhNode"},
     {"gridCellWordsBuffer", "GridCell"},
     {"rayWordsBuffer", "RayQuery"},
     {"surfaceWordsBuffer", "Surface"},

@@ -138,6 +138,40 @@ TEST_P(Structures, bvhBoxesHoldTheirTriangles) {
     EXPECT_EQ(reached, bvh.triangles.size());
 }
 
+// Every child's box, as bytes of its node, contains its triangles with the margin. The sums of plane and
+// origin are exact in double precision.
+TEST_P(Structures, wideBvhBoxesHoldTheirTriangles) {
+    const std::vector<WideBvhNode>& nodes = structures.wideBvh();
+    const std::vector<TriangleRecord>& triangles = structures.bvh().triangles;
+    const glm::dvec3 margin = referenceMargin(lattice);
+    std::size_t reached = 0;
+    const auto check = [&](const auto& self, const std::uint32_t nodeId, const unsigned depth) -> void {
+        ASSERT_LE(depth, kMaxBvhDepth);
+        const WideBvhNode& node = nodes[nodeId];
+        const glm::dvec3 step(wideStep(node.steps, 0), wideStep(node.steps, 1), wideStep(node.steps, 2));
+        const auto plane = [&](const uvec3 words, const std::uint32_t i) {
+            return glm::dvec3(node.origin) + glm::dvec3((words >> (8u * i)) & 0xffu) * step;
+        };
+        const std::uint32_t children[] = {node.child0, node.child1, node.child2, node.child3};
+        for (std::uint32_t i = 0; i < kWideChildren; ++i) {
+            if (!isBvhLeaf(children[i])) {
+                ASSERT_GT(children[i], nodeId);
+                self(self, children[i], depth + 1);
+                continue;
+            }
+            for (std::uint32_t k = 0; k < bvhTriangleCount(children[i]); ++k) {
+                ++reached;
+                for (const glm::dvec3 corner : corners(triangles[bvhFirstTriangle(children[i]) + k])) {
+                    EXPECT_TRUE(glm::all(glm::lessThanEqual(plane(node.lo, i), corner - margin)));
+                    EXPECT_TRUE(glm::all(glm::greaterThanEqual(plane(node.hi, i), corner + margin)));
+                }
+            }
+        }
+    };
+    check(check, 0, 1);
+    EXPECT_EQ(reached, triangles.size());
+}
+
 TEST_P(Structures, bvhDoesNotDependOnThreads) {
     const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
     const Bvh serial = buildBvh(lattice, structures.triangles());
