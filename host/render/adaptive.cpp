@@ -3,7 +3,7 @@
 
 #include "metamarch/render/noise.h"
 #include "metamarch/shared/math.h"
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/inspector.h"
 
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
 #include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,8 @@
 
 #include "metamarch/render/cut_short.h"
 #include "metamarch/render/kernel.h"
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
+#include "metamarch/shared/triangle.h"
 #include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::vector<T> readTiles(const vulkan::Device& device, const vulkan::Buffer& buf
 PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                        const ShadingBuffers& shading, const std::string& usedTraversal,
                        const std::uint32_t mostTiles, const std::uint32_t usedParts,
-                       const std::span<const std::uint32_t> spirv)
+                       const std::span<const std::uint32_t> spirv, const std::uint32_t firstTurns)
     : device(usedDevice), traversal(usedTraversal), parts(usedParts),
       pipeline(makePipeline(usedDevice, scene, shading, usedTraversal, usedParts, spirv)),
       addBlock(makeKernel(usedDevice, "add_block",
@@ -71,7 +72,7 @@ PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& sce
                     "first hits")),
       status(usedDevice, vulkan::BufferUse::storage, sizeof(PathStatus), "status"),
       statusReadback(usedDevice, vulkan::BufferUse::readback, sizeof(PathStatus), "status read back"),
-      submission(usedDevice), work(mostTiles * kBlockSamples) {
+      submission(usedDevice), work(mostTiles * kBlockSamples), turns(firstTurns) {
     shading.bindTo(pipeline);
     pipeline.bind(kBindInput, inputBuffer);
     pipeline.bind(kBindPathStatus, status);
@@ -129,8 +130,10 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     const bool isNew = unfinished.count() == 0;
     const TileRange part = isNew ? TileRange{next, next + count} : unfinished;
     const std::uint32_t begin = isNew ? taken : unfinishedTaken;
-    // Of a tile that takes longer than a submission should, some samples at a time.
-    const std::uint32_t end = part.count() == 1 ? std::min(passEnd, begin + work.units()) : passEnd;
+    // Of a tile that takes longer than a submission should, some samples at a time. With uploaded sums it may
+    // have all of them, which takes no time.
+    const bool isSplit = part.count() == 1 && !hasSums;
+    const std::uint32_t end = isSplit ? std::min(passEnd, begin + work.units()) : passEnd;
     const double before = sums.deviceSeconds;
     const double raysBefore = sums.rays;
     const Outcome outcome = dispatch(part, begin, std::max(end, begin));
@@ -140,12 +143,9 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
         work.finished((sums.deviceSeconds - before) * asked, targetSeconds);
     }
     if (outcome == Outcome::stuck) {
-        if (turns == kMostTurns) {
-            refuseCutShort(kCutShort, device, traversal);
-        }
         turns = turns > kMostTurns / kMoreTurns ? kMostTurns : turns * kMoreTurns;
     }
-    if (outcome != Outcome::whole) {
+    if (outcome == Outcome::cutByDriver) {
         // Take fewer samples at a time from now on. The next call repeats this part for the missing ones.
         fitting = std::max(fitting / 2, 1u);
     }
@@ -179,9 +179,13 @@ PathTracer::Outcome PathTracer::dispatch(const TileRange part, const std::uint32
     (sums.submissions++ == 0 ? sums.firstSeconds : sums.deviceSeconds) += seconds;
     PathStatus done{};
     std::memcpy(&done, statusReadback.mapped().data(), sizeof(PathStatus));
-    const Outcome outcome = done.stuck > 0        ? Outcome::stuck
-                            : done.unfinished > 0 ? Outcome::cut
-                                                  : Outcome::whole;
+    if (done.stuck > 0 && done.outOfTurns == 0) {
+        refuseCutShort(kCutShort, device, traversal);
+    }
+    const Outcome outcome = done.unfinished == 0                ? Outcome::whole
+                            : done.stuck > 0                    ? Outcome::stuck
+                            : done.unfinished > done.outOfTurns ? Outcome::cutByDriver
+                                                                : Outcome::outOfTurns;
     if (outcome == Outcome::whole) {
         sums.samples += static_cast<double>(part.count()) * kTilePixels * (endSample - firstSample);
     }
@@ -193,7 +197,9 @@ PathTracer::Outcome PathTracer::dispatch(const TileRange part, const std::uint32
 
 TileRange PathTracer::begunTiles() const {
     const bool isBegun = taken > filmFirst || hasSums;
-    return {tiles.first, isBegun ? tiles.end : passEnd > filmFirst ? next : tiles.first};
+    return {tiles.first, isBegun               ? tiles.end
+                         : passEnd > filmFirst ? std::max(next, unfinished.end)
+                                               : tiles.first};
 }
 
 // The arrays of the begun tiles, as they lie on the device.

@@ -31,12 +31,15 @@ struct PathCounters {
 
 class PathTracer {
   public:
+    // The most surfaces of an invocation in one dispatch: enough for 16 samples of 64 surfaces.
+    static constexpr std::uint32_t kFirstTurns = 1024;
+
     // Allocates a film of `mostTiles` tiles on the device, with the parts kFilm… that `parts` names. A
     // `spirv` that is not empty replaces the embedded kernel. Throws Error(outOfMemory) if the film does not
     // fit.
     PathTracer(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
                const std::string& traversal, std::uint32_t mostTiles, std::uint32_t parts = 0,
-               std::span<const std::uint32_t> spirv = {});
+               std::span<const std::uint32_t> spirv = {}, std::uint32_t firstTurns = kFirstTurns);
 
     // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
@@ -68,7 +71,7 @@ class PathTracer {
     const PathCounters& counters() const { return sums; }
 
     // The sums of the last block of each pixel, and those of all blocks before it; addPixel makes the pixel
-    // of them. The layout is [tile - tiles.first][pixel in tile]. Only begunTiles() are valid.
+    // of them. The layout is [place - tiles.first][pixel in tile]. Only begunTiles() are valid.
     const vulkan::Buffer& film() const { return filmBuffer; }
     const vulkan::Buffer& total() const { return totalBuffer; }
     const Camera& camera() const { return input.camera; }
@@ -85,16 +88,15 @@ class PathTracer {
   private:
     struct TileSums;
 
-    // Enough for 16 samples of 64 surfaces. Where a pixel gains no sample, the next dispatch has kMoreTurns
-    // times as many, up to kMostTurns.
-    static constexpr std::uint32_t kFirstTurns = 1024;
+    // Where a pixel gains no sample, the next dispatch has so many times as many turns, up to kMostTurns.
     static constexpr std::uint32_t kMoreTurns = 16;
     static constexpr std::uint32_t kMostTurns = 0xffffffffu;
 
     enum class Outcome {
-        whole, // every pixel of the tiles has its samples
-        cut,   // some pixels lack samples
-        stuck, // some of them gained none
+        whole,       // every pixel of the tiles has its samples
+        outOfTurns,  // some pixels lack samples, because PathPush::turns has ended their invocations
+        cutByDriver, // some of them, because the driver has ended them
+        stuck,       // some of the former gained none
     };
     Outcome dispatch(TileRange part, std::uint32_t firstSample, std::uint32_t endSample);
     TileSums readSums() const;
@@ -124,11 +126,11 @@ class PathTracer {
     bool hasSums = false;                  // upload() has given the current block samples
     std::uint32_t taken = 0;               // the number of the next sample of every pixel
     std::uint32_t passEnd = 0;             // the number of samples that the current pass ends with
-    std::uint32_t next = 0;                // the next tile of the current pass
+    std::uint32_t next = 0;                // the next place of the current pass
     std::uint32_t fitting = kBlockSamples; // the driver can probably finish this number per dispatch
     TileRange unfinished;                  // the last part, if it has not all samples of the pass yet
     std::uint32_t unfinishedTaken = 0;     // the number of samples that it has at least
-    std::uint32_t turns = kFirstTurns;     // PathPush::turns
+    std::uint32_t turns;                   // PathPush::turns
     PathCounters sums;
 };
 

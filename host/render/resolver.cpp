@@ -2,7 +2,7 @@
 #include "metamarch/render/resolver.h"
 
 #include "metamarch/render/kernel.h"
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
 

@@ -18,7 +18,7 @@ class Resolver {
     // Allocates room for pictures of up to `mostPixels` pixels. `tracer` must outlive the resolver.
     Resolver(const vulkan::Device& device, const PathTracer& tracer, std::uint32_t mostPixels);
 
-    // Resolves `tiles` of a picture of size.x * size.y pixels. The film must start with tile 0.
+    // Resolves `tiles` of a picture of size.x * size.y pixels. The film must start at place 0.
     void resolve(vulkan::Commands& commands, TileRange tiles, glm::uvec2 size,
                  const ToneMapping& toneMapping) const;
 

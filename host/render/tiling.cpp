@@ -8,8 +8,9 @@
 namespace metamarch::render {
 namespace {
 
-// Returns the number that is next to `count` divided by the golden ratio, and has no divisor in common with
-// it. Its multiples modulo `count` are all numbers below `count`, spread evenly.
+// Returns the first number at or above `count` divided by the golden ratio that has no divisor in common with
+// `count`. Its multiples modulo `count` are all numbers below `count`; those of the golden ratio are spread
+// evenly.
 std::uint32_t evenStride(const std::uint32_t count) {
     auto stride = static_cast<std::uint32_t>(std::lround(count / std::numbers::phi));
     while (std::gcd(stride, count) != 1) {

@@ -2,7 +2,7 @@
 #include "metamarch/viewer/progressive_image.h"
 
 #include "metamarch/render/seen_points.h"
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
 #include "metamarch/viewer/channel_picture.h"
 #include "metamarch/vulkan/transfer.h"
 
@@ -40,8 +40,7 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
         return;
     }
     if (!path) {
-        const std::uint32_t tiles =
-            ((most.x + kTileSide - 1) / kTileSide) * ((most.y + kTileSide - 1) / kTileSide);
+        const std::uint32_t tiles = render::Tiling(PixelRect{0, 0, most.x, most.y}).count;
         path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
     }
     secondsBefore = path->tracer.counters().deviceSeconds;

@@ -2,7 +2,7 @@
 #include "metamarch/viewer/viewport.h"
 
 #include "metamarch/render/kernel.h"
-#include "metamarch/shared/primary.h"
+#include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
 #include <array>

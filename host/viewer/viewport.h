@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Shows the scene with one traversal at the window's size: first a coarse picture, then a fine one.
 #pragma once
-#include "metamarch/viewer/screen.h"
 #include "metamarch/viewer/progressive_image.h"
+#include "metamarch/viewer/screen.h"
 
 #include <cstdint>
 #include <string>

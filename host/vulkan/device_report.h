@@ -25,7 +25,7 @@ struct DeviceReport {
     std::string driverInfo; // "Mesa 22.3.6 (LLVM 15.0.6)"
     uint32_t apiVersion = 0;
     DeviceType type = DeviceType::other;
-    bool isForWindow = false; // what computeQueueFamily and refusals apply to
+    bool isForWindow = false; // whether computeQueueFamily and refusals are those for a window
 
     std::optional<uint32_t> computeQueueFamily; // for a window it also draws and presents
     bool hasSwapchain = false;
@@ -78,8 +78,8 @@ std::string versionText(uint32_t apiVersion);
 // Derives the refusals from all other members. An empty list means that the device is usable.
 std::vector<std::string> refusalsOf(const DeviceReport& report);
 
-// Returns one report per device, in the context's order. A device for a window needs `presents`, one for
-// computing alone has none.
+// Returns one report per device, in the context's order: for a window with `presents`, for computing alone
+// without.
 std::vector<DeviceReport> reportDevices(const Context& context, const PresentSupport& presents = {});
 
 } // namespace metamarch::vulkan

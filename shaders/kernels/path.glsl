@@ -38,7 +38,7 @@ layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 // CPU's loop ends in its middle. This one ends only at its end and does all work under a condition, because
 // of llvmpipe.
 Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, const uint dimension,
-                  const uint passed, out InWay inWay) {
+                  const Passing passed, out InWay inWay) {
     Trace trace = startTrace(given);
     inWay = InWay(kNothing, kNothing);
     if (!hasFeature(kFeatureAlpha | kFeatureCatcher)) {
@@ -64,9 +64,9 @@ Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, cons
             }
             trace.finished = next.finished;
             if (!isDone) {
-                inWay.last = kindOf(ray, loadTriangle(next.recordIndex), at, dimension, passed);
+                inWay.last = kindOf(ray, loadTriangle(next.recordIndex), at, dimension, passed.material);
                 inWay.first = inWay.first == kNothing ? inWay.last : inWay.first;
-                isDone = looksBehind(passed) ? inWay.last == kLamp : inWay.last != kNothing;
+                isDone = passed.isToLamps ? inWay.last == kLamp : inWay.last != kNothing;
                 ray = rayBehind(ray, next.hit.t);
             }
             left = isDone ? 0u : 1u;
@@ -106,7 +106,7 @@ void main() {
             const Ray ray = makeRay(lattice, path.origin, 0.0, path.dir, kFarthest);
             InWay inWay;
             const Trace trace = traceOpaque(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha),
-                                            passedMaterial(settings, path), inWay);
+                                            passing(settings, path), inWay);
             bool isWhole = trace.finished;
             taken.steps += float(trace.steps);
             taken.tests += float(trace.tests);
@@ -124,7 +124,7 @@ void main() {
                     InWay ofLight;
                     const Trace blocker =
                         traceOpaque(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
-                                    passedMaterial(settings, step.path), ofLight);
+                                    passing(settings, step.path), ofLight);
                     isWhole = isWhole && blocker.finished;
                     taken.steps += float(blocker.steps);
                     taken.tests += float(blocker.tests);
@@ -163,6 +163,7 @@ void main() {
     }
     if (sum.samples < push.samples) {
         atomicAdd(status.unfinished, 1u);
+        atomicAdd(status.outOfTurns, turns >= push.turns ? 1u : 0u);
         atomicAdd(status.stuck, sum.samples == was.samples ? 1u : 0u);
     }
 }

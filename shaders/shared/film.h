@@ -115,18 +115,18 @@ SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
 // what it mirrors, whose light is also in direct and indirect. Shadow is the quotient of two sums, so they
 // are kept apart until the end.
 struct LightParts {
-    vec3 emission;  // by none: lights and surroundings as the camera sees them
-    float caught;   // number of samples that met the shadow catcher
-    vec3 direct;    // by one
-    float mirrored; // part of the samples that met the catcher which objects in its mirror cover
-    vec3 indirect;  // by more than one
+    vec3 emission;       // by none: lights and surroundings as the camera sees them
+    float caught;        // number of samples that met the shadow catcher
+    vec3 direct;         // by one
+    float mirrored;      // the catcher's reflectance, over the samples that met an object in its mirror
+    vec3 indirect;       // by more than one
+    float mirrorSamples; // number of samples that followed the mirror
+    vec3 reached;        // what a white catcher reflects
     float padding0;
-    vec3 reached; // what a white catcher reflects
-    float padding1;
     vec3 unblocked; // what it would reflect if the lights were there without the objects
-    float padding2;
+    float padding1;
     vec3 behind; // radiance of what the camera sees behind the catcher
-    float padding3;
+    float padding2;
 };
 
 SHARED_FN LightParts makeLightParts(const vec3 emission, const vec3 direct, const vec3 indirect) {
@@ -145,7 +145,7 @@ SHARED_FN LightParts caughtLight(const vec3 reached, const vec3 unblocked, const
 // Returns the light of one sample that met the shadow catcher and followed its mirror. `parts` is the light
 // that it found there.
 SHARED_FN LightParts mirroredLight(const LightParts parts, const float mirrored, const vec3 behind) {
-    return LightParts(parts.emission, 1.0f, parts.direct, mirrored, parts.indirect, 0.0f, vec3(0.0f), 0.0f,
+    return LightParts(parts.emission, 1.0f, parts.direct, mirrored, parts.indirect, 1.0f, vec3(0.0f), 0.0f,
                       vec3(0.0f), 0.0f, behind, 0.0f);
 }
 
@@ -164,8 +164,9 @@ SHARED_FN LightParts addLight(const LightParts parts, const uint scatterings, co
 
 SHARED_FN LightParts addParts(const LightParts a, const LightParts b) {
     return LightParts(a.emission + b.emission, a.caught + b.caught, a.direct + b.direct,
-                      a.mirrored + b.mirrored, a.indirect + b.indirect, 0.0f, a.reached + b.reached, 0.0f,
-                      a.unblocked + b.unblocked, 0.0f, a.behind + b.behind, 0.0f);
+                      a.mirrored + b.mirrored, a.indirect + b.indirect, a.mirrorSamples + b.mirrorSamples,
+                      a.reached + b.reached, 0.0f, a.unblocked + b.unblocked, 0.0f, a.behind + b.behind,
+                      0.0f);
 }
 
 // Does for their light what addPixel does for `sum` and the block after it.
@@ -203,6 +204,7 @@ const uint kBindHits = 49u; // kBlockSamples words for each pixel
 SHARED_ASSERT_SIZE(LightParts, 96)
 SHARED_ASSERT_OFFSET(LightParts, direct, 16)
 SHARED_ASSERT_OFFSET(LightParts, mirrored, 28)
+SHARED_ASSERT_OFFSET(LightParts, mirrorSamples, 44)
 SHARED_ASSERT_OFFSET(LightParts, indirect, 32)
 SHARED_ASSERT_OFFSET(LightParts, reached, 48)
 SHARED_ASSERT_OFFSET(LightParts, unblocked, 64)

@@ -50,8 +50,8 @@ struct Path {
 };
 const uint kNoChannel = 3u;
 const float kLampPart = 0.5f; // see kindOf
-const float kMirrorPart =
-    0.5f; // of the samples that meet a catcher which mirrors, those that follow the mirror
+// The part of the samples that follow the mirror, of those that meet a catcher which has one.
+const float kMirrorPart = 0.5f;
 
 // A ray to a light, and the radiance that the path gains if nothing occludes the light.
 struct ShadowRay {
@@ -81,10 +81,12 @@ SHARED_FN uint scatterings(const Path path) {
 }
 
 // Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
-// ray has met, to measure shadow or to find what the catcher mirrors.
+// ray has met, to measure shadow.
 SHARED_FN bool isFromCatcher(const Path path) {
     return path.isCaught && path.bounce == 1u && !path.isMirrored;
 }
+
+// Returns true for a path that is on its way from the catcher to what the catcher mirrors.
 SHARED_FN bool isFromMirror(const Path path) { return path.isMirrored && path.bounce == 1u; }
 
 // What a ray meets: nothing that is there for it, an object, or a lamp. With kFeatureCatcher.
@@ -167,8 +169,9 @@ SHARED_FN vec3 filmRadiance(const Path ended) {
     const bool isSound = isWithin(ended.radiance, kLargestRadiance) &&
                          isWithin(ended.unblocked, kLargestRadiance) &&
                          isWithin(ended.behind, kLargestRadiance);
-    const vec3 ofCaught = isSound ? vec3(0.0f) : vec3(2.0f * kLargestRadiance);
-    return ended.isCaught && !ended.isMirrored ? ofCaught : ended.radiance;
+    const vec3 sound = ended.isMirrored ? ended.radiance : vec3(0.0f);
+    const vec3 ofCaught = isSound ? sound : vec3(2.0f * kLargestRadiance);
+    return ended.isCaught ? ofCaught : ended.radiance;
 }
 
 // Adds a sample whose path has ended to the sums of its block.
@@ -192,11 +195,19 @@ SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended
     return addSampleLight(sum, filmRadiance(path), light);
 }
 
-// Returns the material of surfaces that are not there for the rays of `path`. The catcher does not shadow
-// itself, and does not mirror itself: what it is laid over in the end has this already.
-SHARED_FN uint passedMaterial(const PathSettings settings, const Path path) {
+// What a ray passes on its way. With kFeatureCatcher.
+struct Passing {
+    uint material;  // its surfaces are not there; kNoCatcher: all are there
+    bool isToLamps; // the ray goes on through objects until it meets a lamp
+};
+
+// Returns what the rays of `path` pass. The catcher neither shadows nor mirrors itself: the ground that it is
+// laid over in the end has these shadows and mirror images already.
+SHARED_FN Passing passing(SCENE_PARAMETER const PathSettings settings, const Path path) {
     const bool isPassed = isFromCatcher(path) || isFromMirror(path);
-    return hasFeature(kFeatureCatcher) && isPassed ? settings.catcher : kNoCatcher;
+    return Passing(hasFeature(SCENE kFeatureCatcher) && isPassed ? settings.catcher : kNoCatcher,
+                   hasFeature(SCENE kFeatureCatcher) && hasFeature(SCENE kFeatureEmission) &&
+                       isFromCatcher(path));
 }
 
 // Returns the settings for light between an emitter and a surface. How bright a hidden emitter would be in a
@@ -243,7 +254,7 @@ SHARED_FN vec3 clampedGain(const PathSettings settings, const vec3 gain) {
 }
 
 // Returns what a triangle that was hit is for this path. A blended one is there with a probability equal to
-// its coverage. `passed` is the result of passedMaterial.
+// its coverage. `passed` is Passing::material.
 //
 // A lamp is a surface that light sampling knows, where it emits at least half of the most that its texture
 // allows. Dark parts of an emissive texture, and unlit surfaces, are objects.
@@ -260,11 +271,6 @@ SHARED_FN uint kindOf(SCENE_PARAMETER const Ray ray, const TriangleRecord triang
                         record.emissionDensity > 0.0f &&
                         largest(xyz(lookUp(SCENE record.emissionTexture, uv))) >= kLampPart;
     return !isThere ? kNothing : isLamp ? kLamp : kObject;
-}
-
-// Returns true if a ray whose passedMaterial is `passed` looks for lamps behind objects.
-SHARED_FN bool looksBehind(SCENE_PARAMETER const uint passed) {
-    return hasFeature(SCENE kFeatureCatcher) && hasFeature(SCENE kFeatureEmission) && passed != kNoCatcher;
 }
 
 // Ends a path whose ray hits no triangle.
@@ -482,7 +488,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
 
     if (hasFeature(SCENE kFeatureCatcher)) {
         path.isMirrored = path.isMirrored || isMirror;
-        path.mirrored = isFromMirror(path) ? largest(arriving.throughput) : path.mirrored;
+        path.mirrored = isFromMirror(path) ? largest(arriving.throughput) * kMirrorPart : path.mirrored;
     }
 
     // What the catcher mirrors looks as the camera would see it.

@@ -19,7 +19,7 @@ struct PathInput {
     uint areaHeight;
 };
 
-// A workgroup has one tile of kTilePixels pixels (primary.h).
+// A workgroup has one tile of kTilePixels pixels (tile_order.h).
 struct PathPush {
     uint firstPlace;
     TileOrder order;
@@ -46,13 +46,14 @@ struct PathStatus {
     // Number of pixels that still miss samples: PathPush::turns, or a driver that limits the turns of loops,
     // may end an invocation early. They need another dispatch.
     uint unfinished;
-    uint stuck;  // number of those pixels that gained no sample
-    Count rays;  // with shadow rays
-    Count steps; // of all rays; rounded down for each pixel
+    uint stuck;      // number of those pixels that gained no sample
+    uint outOfTurns; // number of those that PathPush::turns has ended
+    Count rays;      // with shadow rays
+    Count steps;     // of all rays; rounded down for each pixel
     Count tests;
 };
 
-SHARED_ASSERT_SIZE(PathStatus, 32)
+SHARED_ASSERT_SIZE(PathStatus, 36)
 SHARED_ASSERT_SIZE(PathInput, 256)
 SHARED_ASSERT_OFFSET(PathInput, settings, 128)
 SHARED_ASSERT_OFFSET(PathInput, areaLeft, 240)

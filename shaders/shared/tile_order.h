@@ -21,8 +21,8 @@ struct TileOrder {
 };
 
 // Returns the tile in this place of the order. Tiles are numbered row by row, places from 0 to the number of
-// tiles. Places 0 to rows - 1 visit every row once, with another column each, and so do the next ones with
-// the columns beside them.
+// tiles. Places 0 to rows - 1 visit every row once, with columns far apart, and so do the next ones with the
+// columns beside them.
 SHARED_FN uint tileAt(const TileOrder order, const uint place) {
     const uint i = place % order.rows;
     const uint row = i * order.rowStride % order.rows;

@@ -43,7 +43,7 @@ glm::vec3 leftLight(const LightParts& light) {
 
 // Returns the part of the shadow catcher that objects in its mirror leave, 0 to 1.
 float unmirrored(const LightParts& light) {
-    return light.caught > 0.0f ? 1.0f - light.mirrored / light.caught : 1.0f;
+    return light.mirrorSamples > 0.0f ? 1.0f - light.mirrored / light.mirrorSamples : 1.0f;
 }
 
 // Returns the radiance of what is seen through the shadow catcher.

@@ -25,7 +25,7 @@ struct Found {
 // Finds the closest triangle that is there for this path, or any such triangle, and what is in the way.
 // kernels/path.glsl has another loop, because of llvmpipe.
 Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
-                  const uint dimension, const uint passed) {
+                  const uint dimension, const Passing passed) {
     Found found{{}, {kNothing, kNothing}};
     if (!hasFeature(render.scene, kFeatureAlpha | kFeatureCatcher)) {
         found.trace = traceKdStack(render.structure, given, query);
@@ -45,10 +45,10 @@ Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, 
         if (next.hit.triangleId == kNoTriangle) {
             return found;
         }
-        const uint kind =
-            kindOf(render.scene, ray, render.structure.triangles[next.recordIndex], at, dimension, passed);
+        const uint kind = kindOf(render.scene, ray, render.structure.triangles[next.recordIndex], at,
+                                 dimension, passed.material);
         found.inWay = {found.inWay.first == kNothing ? kind : found.inWay.first, kind};
-        if (looksBehind(render.scene, passed) ? kind == kLamp : kind != kNothing) {
+        if (passed.isToLamps ? kind == kLamp : kind != kNothing) {
             return found;
         }
         ray = rayBehind(ray, next.hit.t);
@@ -69,7 +69,7 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
         const Ray ray = makeRay(render.structure.lattice, path.origin, 0.0f, path.dir, kFarthest);
         const auto [trace, inWay] =
             traceOpaque(render, ray, HitQuery::closest, taken.at, bounceDimension(path.bounce, kBounceAlpha),
-                        passedMaterial(render.settings, path));
+                        passing(render.scene, render.settings, path));
         count(taken, trace);
         ++taken.rays;
         if (trace.hit.triangleId == kNoTriangle) {
@@ -85,7 +85,7 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
                                         step.shadow.tMax);
             const auto [blocker, ofLight] = traceOpaque(render, toLight, HitQuery::any, taken.at,
                                                         bounceDimension(path.bounce, kBounceLightAlpha),
-                                                        passedMaterial(render.settings, step.path));
+                                                        passing(render.scene, render.settings, step.path));
             count(taken, blocker);
             ++taken.shadowRays;
             taken = afterShadow(taken, step.shadow.gain, ofLight);

@@ -33,6 +33,7 @@ struct Caught {
     glm::dvec3 direct{0.0};
     glm::dvec3 indirect{0.0};
     double mirrored = 0.0;
+    double mirrorSamples = 0.0;
     double samples = 0.0;
 
     glm::dvec3 left() const { return reached / unblocked; }
@@ -47,6 +48,7 @@ Caught caughtBy(const PathScene& made, const PathWork& work) {
         sum.direct += glm::dvec3(light.direct);
         sum.indirect += glm::dvec3(light.indirect);
         sum.mirrored += light.mirrored;
+        sum.mirrorSamples += light.mirrorSamples;
         sum.samples += light.caught;
     }
     return sum;
@@ -324,7 +326,9 @@ TEST(ShadowCatcher, mirrorsObjectsInClosedForm) {
         const Caught caught = caughtBy(made, {.samples = 256, .maxBounces = maxBounces});
         const double part = reflectance(std::sqrt(0.5)) * caught.samples;
         EXPECT_EQ(caught.samples, kSide * kSide * 256);
-        EXPECT_NEAR(caught.mirrored, part, 1e-3 * part); // each aligned pair of samples has one in the mirror
+        EXPECT_EQ(caught.mirrorSamples,
+                  caught.samples / 2); // each aligned pair of samples has one in the mirror
+        EXPECT_NEAR(caught.mirrored, part / 2, 1e-3 * part);
         EXPECT_NEAR(caught.direct.r, 0.5 * part, 1e-3 * part);
         EXPECT_NEAR(caught.direct.b, 2.0 * part, 2e-3 * part);
         EXPECT_EQ(caught.indirect, glm::dvec3(0.0));

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <random>
 
@@ -93,6 +94,50 @@ TEST_F(GrowingFilm, isTheSameInAnyPieces) {
     }
     EXPECT_EQ(small.samples(), kSamples);
     expectSame(filmOf(small), atOnce(camera, kSamples));
+}
+
+// Few surfaces of an invocation in one dispatch: paths are cut, taken again, and get more turns.
+TEST_F(GrowingFilm, isTheSameInManyTurns) {
+    for (const std::uint32_t turns : {1u, 3u, 20u}) {
+        render::PathTracer cut(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
+                               render::Tiling(camera).count, 0, {}, turns);
+        cut.start(camera, settings, {0, render::Tiling(camera).count});
+        while (cut.samples() < kBlockSamples + 2) {
+            cut.advance(kBlockSamples + 2, kBlockSamples, render::WorkSize::kTargetSeconds);
+        }
+        expectSame(filmOf(cut), atOnce(camera, kBlockSamples + 2));
+    }
+}
+
+// The sums are read while a tile has some of the samples of its pass, in the first block and in a later one.
+TEST_F(GrowingFilm, goesOnFromSumsOfAPartOfATile) {
+    constexpr std::uint32_t kSamples = kBlockSamples + 9;
+    const std::size_t pixels = std::size_t{camera.width} * camera.height;
+    for (const std::uint32_t begun : {0u, kBlockSamples}) {
+        for (const int further : {1, 2, 5}) {
+            render::PathTracer first = tracer();
+            first.start(camera, settings, {0, render::Tiling(camera).count});
+            while (first.samples() < begun) {
+                first.advance(begun, kBlockSamples, render::WorkSize::kTargetSeconds);
+            }
+            for (int i = 0; i < further; ++i) {
+                first.advance(kSamples, kBlockSamples, kSmallest);
+            }
+            FilmData earlier(pixels, 0);
+            FilmData block(pixels, 0);
+            const std::uint32_t blockFirst = first.downloadSums(earlier, block);
+            EXPECT_TRUE(
+                std::ranges::any_of(block.pixels, [](const FilmPixel& pixel) { return pixel.samples > 0; }));
+            render::PathTracer second = tracer();
+            second.start(camera, settings, {0, 0, camera.width, camera.height},
+                         {0, render::Tiling(camera).count}, blockFirst);
+            second.upload(earlier, block);
+            while (second.samples() < kSamples) {
+                second.advance(kSamples, kBlockSamples, kSmallest);
+            }
+            expectSame(filmOf(second), atOnce(camera, kSamples));
+        }
+    }
 }
 
 TEST_F(GrowingFilm, leavesNoPixelFarBehind) {

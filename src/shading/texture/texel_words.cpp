@@ -6,8 +6,8 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 
 namespace metamarch {
 namespace {
