@@ -252,7 +252,7 @@ TEST(PathMipmap, checkerboardToTheHorizonHasLessNoiseAndTheSameMean) {
 
 TEST(PathMipmap, constantTexturesStayConstant) {
     PathScene made = horizon(TextureFilter::linearMipmapLinear);
-    made.scene.images[0].bytes.assign(32 * 32, glm::u8vec4(77, 130, 200, 255));
+    made.scene.images[0].bytes.assign(std::size_t{32} * 32, glm::u8vec4(77, 130, 200, 255));
     PathScene plain = made;
     plain.scene.textures[0].minFilter = kLinear;
     const PathWork work{.samples = 2};

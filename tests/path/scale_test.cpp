@@ -107,7 +107,8 @@ TEST_P(PathScale, floorHasNoAcne) {
         for (std::size_t i = 0; i < film.size(); ++i) {
             // The darkest point of a pixel is its corner that is farthest from the light.
             const double x = (static_cast<double>(i % 32) + 0.5) / kSide - 0.5;
-            const double y = 0.5 - (static_cast<double>(i / 32) + 0.5) / kSide;
+            const std::size_t row = i / 32;
+            const double y = 0.5 - (static_cast<double>(row) + 0.5) / kSide;
             const double reach = 10.0 * (std::hypot(x, y) + std::numbers::sqrt2 / 2.0 / kSide);
             const double darkest = height / std::pow(height * height + reach * reach, 1.5);
             // Heights over the floor have an error of a few ulps of the coordinates.

@@ -87,7 +87,8 @@ std::uint32_t addWaves(Scene& scene, const std::string_view channels) {
     std::vector<glm::u8vec4> texels;
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
         const auto x = static_cast<float>(i % kSide);
-        const auto y = static_cast<float>(i / kSide);
+        const std::uint32_t row = i / kSide;
+        const auto y = static_cast<float>(row);
         const glm::vec4 waves =
             glm::sin(glm::vec4(x, y, x + y + 1.0f, 0.7f * x - y) * glm::vec4(1.1f, 0.9f, 0.6f, 1.0f));
         glm::u8vec4 texel(170);

@@ -30,7 +30,8 @@ std::array<double, Means::kCount> quartersOf(const std::vector<FilmPixel>& film,
     for (std::uint32_t y = 0; y < side; ++y) {
         for (std::uint32_t x = 0; x < side; ++x) {
             const glm::dvec3 mean = meanOf(film[std::size_t{y} * side + x]);
-            const std::size_t quarter = 3 * ((y < side / 2 ? 0u : 2u) + (x < side / 2 ? 0u : 1u));
+            const std::size_t quarter =
+                std::size_t{3} * ((y < side / 2 ? 0u : 2u) + (x < side / 2 ? 0u : 1u));
             for (std::size_t c = 0; c < 3; ++c) {
                 sums[quarter + c] += mean[static_cast<int>(c)] * 4.0 / (side * side);
             }
