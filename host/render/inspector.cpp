@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace metamarch::render {
-namespace {
-
-constexpr std::uint32_t kMostTiles = 65535; // the least that maxComputeWorkGroupCount can be
-
-} // namespace
-
 Inspector::Inspector(const vulkan::Device& usedDevice, const SceneBuffers& usedScene,
                      const ShadingBuffers& usedShading, const std::string& usedTraversal,
                      const std::uint32_t roomForPixels, const std::span<const std::uint32_t> ownSpirv,
@@ -64,7 +58,7 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
     const ViewReads reads = kViewNames[newView].reads;
     auto made = programs.find(reads);
     if (made == programs.end()) {
-        made = programs.emplace(reads, Program{makePipeline(reads), WorkSize(kMostTiles)}).first;
+        made = programs.emplace(reads, Program{makePipeline(reads), WorkSize(kMostGroups)}).first;
     }
     vulkan::write(device, camera, 0, std::as_bytes(std::span(&newCamera, 1)));
     program = &made->second;

@@ -13,7 +13,7 @@ namespace metamarch::render {
 namespace {
 
 // The most tiles of one submission: 2^13 tiles of 64 pixels have 56 MiB of output.
-constexpr std::uint32_t kMostTiles = 1u << 13u;
+constexpr std::uint32_t kTilesPerSubmission = 1u << 13u;
 
 // Returns true if every pixel has its sample.
 bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
@@ -38,14 +38,14 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
                                    const std::string& traversal, const Camera& camera,
                                    const OnProgress& onProgress) {
     const auto [order, tiles] = Tiling(camera);
-    WorkSize work(std::min(tiles, kMostTiles));
+    WorkSize work(std::min(tiles, kTilesPerSubmission));
 
     vulkan::ComputePipeline pipeline = scene.makePipeline(
         device, "primary", traversal,
         {.storageBindings = {kBindCamera, kBindOutput}, .pushConstantSize = sizeof(PrimaryPush)});
     const vulkan::Buffer input = vulkan::upload(device, std::span(&camera, 1), "camera");
     const std::uint64_t outputBytes =
-        std::uint64_t{std::min(tiles, kMostTiles)} * kTilePixels * sizeof(FilmPixel);
+        std::uint64_t{std::min(tiles, kTilesPerSubmission)} * kTilePixels * sizeof(FilmPixel);
     const vulkan::Buffer output(device, vulkan::BufferUse::storage, outputBytes, "pixels");
     const vulkan::Buffer readback(device, vulkan::BufferUse::readback, outputBytes, "pixels read back");
     pipeline.bind(kBindCamera, input);

@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::uint32_t kRaysPerGroup = 64; // local_size_x of the kernels
 
-constexpr std::uint32_t kMostGroups = 65535; // the least that maxComputeWorkGroupCount can be
-
 // The most rays on the device at a time: 2^21 rays are 64 MiB. Every device's maxStorageBufferRange is at
 // least 128 MiB.
 constexpr std::size_t kBatch = 1u << 21u;

@@ -2,17 +2,12 @@
 #include "metamarch/render/resolver.h"
 
 #include "metamarch/render/kernel.h"
+#include "metamarch/render/work_size.h"
 #include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
 
 namespace metamarch::render {
-namespace {
-
-constexpr std::uint32_t kMostGroups = 65535; // every device takes this many in one dispatch
-
-} // namespace
-
 Resolver::Resolver(const vulkan::Device& device, const PathTracer& tracer, const std::uint32_t mostPixels)
     : pictureBuffer(device, vulkan::BufferUse::storage, std::uint64_t{mostPixels} * sizeof(std::uint32_t),
                     "picture"),

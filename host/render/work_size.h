@@ -7,6 +7,10 @@
 
 namespace metamarch::render {
 
+// Every device takes this many workgroups in one dispatch: it is the least that maxComputeWorkGroupCount can
+// be.
+inline constexpr std::uint32_t kMostGroups = 65535;
+
 // A submission must be short: GPUs with a watchdog reset a device that is busy for seconds, and progress and
 // Ctrl-C wait until a submission ends. So the time of each submission decides the size of the next.
 class WorkSize {

@@ -14,10 +14,6 @@
 namespace metamarch {
 namespace {
 
-[[noreturn]] void refuse(const std::string& wanted) {
-    throw Error(ErrorKind::invalidArgument, "give " + wanted);
-}
-
 template <class T>
 std::string textOf(const std::optional<T>& value) {
     return value ? fmt::format("{}", *value) : "";
@@ -76,7 +72,7 @@ void Setting::set(const std::string& text) {
             kind_ == Kind::list ? splitAtCommas(text) : std::vector<std::string>{text};
         for (const std::string& word : words) {
             if (std::ranges::find(choices_, word) == choices_.end()) {
-                refuse(listText(choices_));
+                throw Error(ErrorKind::invalidArgument, "give " + listText(choices_));
             }
         }
     }

@@ -101,8 +101,8 @@ void writeShown(const Image& image, const std::filesystem::path& path, const Ton
     writeParts(path, format.plugin, {&spec, 1}, [&](std::size_t) { return std::move(bytes); });
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
-                         std::vector<std::string> settings = {}) {
+[[noreturn]] void refuseOutput(const std::filesystem::path& path, const std::string& reason,
+                               std::vector<std::string> settings = {}) {
     throw Error(ErrorKind::invalidArgument, path.string() + ": " + reason, std::move(settings));
 }
 
@@ -112,14 +112,14 @@ PictureFormat formatByName(const std::filesystem::path& path, const std::optiona
         std::ranges::find(kEndings, ending, &std::pair<std::string_view, PictureFormat>::first);
     if (known != std::end(kEndings)) {
         if (wanted && *wanted != known->second) {
-            refuse(path, "the ending stands for another format", {"format"});
+            refuseOutput(path, "the ending stands for another format", {"format"});
         }
         return known->second;
     }
     if (ending.empty() && OutputTarget(path).isStream()) {
         return wanted.value_or(PictureFormat::exr); // the format that holds all channels
     }
-    refuse(path, "a picture is written as .exr, .png, .jpg, .webp or .tif");
+    refuseOutput(path, "a picture is written as .exr, .png, .jpg, .webp or .tif");
 }
 
 } // namespace
@@ -128,15 +128,15 @@ PictureFormat pictureFormatOf(const std::filesystem::path& path, const PictureSt
     const PictureFormat format = formatByName(path, storage.format);
     if (format == PictureFormat::exr) {
         if (storage.bits != 8) {
-            refuse(path, "a PNG or a TIFF has 8 or 16 bits, an EXR has floats", {"bits"});
+            refuseOutput(path, "a PNG or a TIFF has 8 or 16 bits, an EXR has floats", {"bits"});
         }
         return format;
     }
     if (!(storage.exr == ExrStorage{})) {
-        refuse(path, "only an EXR has these", {"half", "compression", "tiled", "multipart"});
+        refuseOutput(path, "only an EXR has these", {"half", "compression", "tiled", "multipart"});
     }
     if (storage.bits != 8 && !shownFormat(format).hasWords) {
-        refuse(path, "only a PNG or a TIFF has 16 bits", {"bits"});
+        refuseOutput(path, "only a PNG or a TIFF has 16 bits", {"bits"});
     }
     return format;
 }

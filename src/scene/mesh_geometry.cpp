@@ -9,7 +9,7 @@
 namespace metamarch {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCopy = 0xffffffffu;
 constexpr glm::vec4 kAnyTangent(1.0f, 0.0f, 0.0f, 1.0f);
 
 glm::vec3 unitOrZero(const glm::vec3& v) {
@@ -70,16 +70,16 @@ void addTangents(MeshGeometry& geometry, std::uint32_t texCoordSet) {
     const std::vector<glm::vec4> ofCorner = mikkTangents(cornersOf(geometry, texCoordSet));
     std::vector<glm::vec4>& tangents = geometry.tangents;
     tangents.assign(geometry.positions.size(), glm::vec4(0.0f));
-    std::vector<std::uint32_t> nextCopy(geometry.positions.size(), kNone);
+    std::vector<std::uint32_t> nextCopy(geometry.positions.size(), kNoCopy);
     for (std::size_t i = 0; i < ofCorner.size(); ++i) {
         std::uint32_t& vertex = geometry.triangles[i / 3][static_cast<int>(i % 3)];
         // A zero tangent marks a vertex that no corner has used yet; real tangents are never zero.
         while (tangents[vertex] != glm::vec4(0.0f) && tangents[vertex] != ofCorner[i]) {
-            if (nextCopy[vertex] == kNone) {
+            if (nextCopy[vertex] == kNoCopy) {
                 nextCopy[vertex] = static_cast<std::uint32_t>(geometry.positions.size());
                 copyVertex(geometry, vertex);
                 tangents.emplace_back(0.0f);
-                nextCopy.push_back(kNone);
+                nextCopy.push_back(kNoCopy);
             }
             vertex = nextCopy[vertex];
         }

@@ -56,7 +56,7 @@ constexpr auto kMaps = std::to_array<Keyword<MtlMap>>({
 });
 
 // What a path tracer has no use for: ambient light, which it computes, and settings of other renderers.
-constexpr auto kIgnored = std::to_array<std::string_view>({"ka", "map_ka", "sharpness", "map_aat"});
+constexpr auto kIgnoredStatements = std::to_array<std::string_view>({"ka", "map_ka", "sharpness", "map_aat"});
 
 constexpr auto kNotRendered =
     std::to_array<std::string_view>({"tf", "disp", "map_disp", "decal", "map_decal", "refl", "map_refl",
@@ -156,7 +156,7 @@ class LibraryReader {
             readMap(keyword, rest, material.*map->member);
         } else if (std::ranges::find(kNotRendered, word) != kNotRendered.end()) {
             readNotRendered(keyword, beforeComment(rest));
-        } else if (std::ranges::find(kIgnored, word) == kIgnored.end()) {
+        } else if (std::ranges::find(kIgnoredStatements, word) == kIgnoredStatements.end()) {
             unknown_.add(keyword);
         }
     }

@@ -24,7 +24,7 @@ constexpr auto kFreeForm = std::to_array<std::string_view>(
 
 // A path tracer has no use for smoothing groups (normals are given or are the triangles'), merging groups and
 // settings of other renderers.
-constexpr auto kIgnored = std::to_array<std::string_view>(
+constexpr auto kIgnoredKeywords = std::to_array<std::string_view>(
     {"s", "mg", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech"});
 
 template <class Table>
@@ -80,7 +80,7 @@ class ObjReader {
         } else if (contains(kFreeForm, keyword)) {
             ++freeForms_;
             freeFormNames_.add(keyword);
-        } else if (!contains(kIgnored, keyword)) {
+        } else if (!contains(kIgnoredKeywords, keyword)) {
             unknown_.add(keyword);
         }
     }

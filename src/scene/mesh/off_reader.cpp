@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -61,7 +60,7 @@ void checkCounts(const InputFile& file, const Counts& counts, std::uint64_t vert
     }
 }
 
-void warnOfTrailingBytes(InputFile& file, std::size_t bytes) {
+void warnOfBytesAfterFaces(InputFile& file, std::size_t bytes) {
     file.warn("OFF: " + std::to_string(bytes) + " bytes after the last face are not read");
 }
 
@@ -284,7 +283,7 @@ class OffTextReader {
                        " vertices have more numbers than the first line says; these are not read");
         }
         if (const std::string_view word = scanner_.wordOfLaterLine(); !word.empty()) {
-            warnOfTrailingBytes(file_, scanner_.bytesFrom(word));
+            warnOfBytesAfterFaces(file_, scanner_.bytesFrom(word));
         }
     }
 
@@ -387,7 +386,7 @@ class OffBinaryReader {
             readFace(i, counts.vertices);
         }
         if (!rest_.empty()) {
-            warnOfTrailingBytes(file_, rest_.size());
+            warnOfBytesAfterFaces(file_, rest_.size());
         }
         return mesh_.finish(true);
     }
@@ -452,8 +451,6 @@ class OffBinaryReader {
     VertexForm form_;
     OffMesh mesh_;
 };
-
-bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 // The counts stand on the lines behind OFF, but in many files on the same line, and in some (ModelNet40) even
 // without a blank.

@@ -394,7 +394,7 @@ class BodyReader {
     Content content_;
 };
 
-void warnOfTrailingBytes(InputFile& file, std::size_t bytes) {
+void warnOfBytesAfterElements(InputFile& file, std::size_t bytes) {
     if (bytes > 0) {
         file.warn("PLY: " + std::to_string(bytes) + " bytes after the last element are not read");
     }
@@ -405,7 +405,7 @@ Content readBinary(InputFile& file, const PlyHeader& header) {
     PlyPlace place(file);
     PlyBinaryBody<order> body(header.body, place);
     Content content = BodyReader(file, header, place, body).read();
-    warnOfTrailingBytes(file, body.finish());
+    warnOfBytesAfterElements(file, body.finish());
     return content;
 }
 
@@ -427,7 +427,7 @@ Content readText(InputFile& file, const PlyHeader& header) {
             file.warn("PLY: " + std::to_string(body.longLines()) +
                       " lines have more numbers than their elements; these are not read");
         }
-        warnOfTrailingBytes(file, trailingBytes);
+        warnOfBytesAfterElements(file, trailingBytes);
         return content;
     });
 }

@@ -8,6 +8,8 @@
 
 namespace metamarch {
 
+constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 // Returns the number that is the whole word, or nothing. Forms such as "+1", ".5", "1." and "1e3" are
 // numbers, and so are "inf" and "nan" in any case, and "1.#INF". A number too large for a double is infinite,
 // one too small is zero.

@@ -59,15 +59,15 @@ bool isOutsideGamut(const glm::vec3& texel) {
 // filter with three lobes has the deepest undershoot in use: a point of light between two texels leaves 0.61
 // in each of them and -0.135 in the next ones.
 bool isUndershoot(const Environment& environment, std::size_t index) {
-    constexpr int kReach = 3;
+    constexpr int kPixelReach = 3;
     constexpr float kDepth = 0.25f;
     const int width = static_cast<int>(environment.width);
     const int height = static_cast<int>(environment.height);
     const int column = static_cast<int>(index % environment.width);
     const int row = static_cast<int>(index / environment.width);
     glm::vec3 brightest(0.0f); // per channel
-    for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, height - 1); ++y) {
-        for (int x = column - kReach; x <= column + kReach; ++x) {
+    for (int y = std::max(row - kPixelReach, 0); y <= std::min(row + kPixelReach, height - 1); ++y) {
+        for (int x = column - kPixelReach; x <= column + kPixelReach; ++x) {
             const int wrapped = (x % width + width) % width;
             brightest =
                 glm::max(brightest, environment.texels[static_cast<std::size_t>(y) * environment.width +

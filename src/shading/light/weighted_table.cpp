@@ -79,15 +79,15 @@ void addToParts(const EnvironmentTables& tables, const Environment& environment,
 
 // Returns normals all over a bin.
 std::vector<glm::dvec3> normalsOf(const std::uint32_t bin) {
-    constexpr int kSteps = 4;
+    constexpr int kSamplesAlong = 4;
     const std::uint32_t face = bin / (kBinsAlong * kBinsAlong);
     const std::uint32_t j = bin / kBinsAlong % kBinsAlong;
     const std::uint32_t i = bin % kBinsAlong;
     std::vector<glm::dvec3> normals;
-    for (int y = 0; y < kSteps; ++y) {
-        for (int x = 0; x < kSteps; ++x) {
-            const double a = 2.0 * (i + x / (kSteps - 1.0)) / kBinsAlong - 1.0;
-            const double b = 2.0 * (j + y / (kSteps - 1.0)) / kBinsAlong - 1.0;
+    for (int y = 0; y < kSamplesAlong; ++y) {
+        for (int x = 0; x < kSamplesAlong; ++x) {
+            const double a = 2.0 * (i + x / (kSamplesAlong - 1.0)) / kBinsAlong - 1.0;
+            const double b = 2.0 * (j + y / (kSamplesAlong - 1.0)) / kBinsAlong - 1.0;
             const double major = face % 2 == 0 ? 1.0 : -1.0;
             normals.push_back(glm::normalize(face < 2   ? glm::dvec3(major, a, b)
                                              : face < 4 ? glm::dvec3(a, major, b)
