@@ -109,8 +109,9 @@ void PathTracer::start(const Camera& camera, const PathSettings& settings, const
 }
 
 double PathTracer::meanSamples() const {
-    const double part = static_cast<double>(next - tiles.first) / tiles.count();
-    return passEnd > taken ? taken + part * (passEnd - taken) : taken;
+    const double whole = static_cast<double>(next - tiles.first) * (passEnd - taken);
+    const double ofPart = unfinished.count() * (static_cast<double>(unfinishedTaken) - taken);
+    return passEnd > taken ? taken + (whole + ofPart) / tiles.count() : taken;
 }
 
 TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t samplesAtOnce,
