@@ -25,8 +25,8 @@ bool isSameHit(const RayQuery& ray, const RayResult& a, const RayResult& b, cons
 
 } // namespace
 
-HitTolerance toleranceOn(const std::string& driver, const Lattice& lattice) {
-    if (driver == "llvmpipe" || driver == "SwiftShader driver") {
+HitTolerance toleranceOn(const bool keepsBits, const Lattice& lattice) {
+    if (keepsBits) {
         return {};
     }
     return {static_cast<float>(kReferenceMargin) * lattice.extent, kDeviceBudget};

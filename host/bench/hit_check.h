@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 namespace metamarch::bench {
 
@@ -16,10 +15,10 @@ struct HitTolerance {
     double budget = 0.0;   // fraction of the rays that may exceed the distance
 };
 
-// Returns the tolerance for a driver. Lavapipe's hits must equal the reference's bit by bit. Vulkan lets
-// other devices divide with an error of 2.5 ulp; their hits may be apart by the lattice's kReferenceMargin,
-// and those of 2e-5 of the rays, at silhouettes and edges, by more.
-HitTolerance toleranceOn(const std::string& driver, const Lattice& lattice);
+// Returns the tolerance for a device. If it keeps bits (vulkan::DeviceReport::keepsBits), its hits must equal
+// the reference's bit by bit. Vulkan lets other devices divide with an error of 2.5 ulp; their hits may be
+// apart by the lattice's kReferenceMargin, and those of 2e-5 of the rays, at silhouettes and edges, by more.
+HitTolerance toleranceOn(bool keepsBits, const Lattice& lattice);
 
 // Returns the number of rays whose results differ. For any-hit queries only hit or miss is compared.
 std::uint64_t countDifferent(std::span<const RayQuery> rays, std::span<const RayResult> results,

@@ -43,7 +43,7 @@ Row measuredRow(const BenchScene& scene, const JudgedRays& rays, const std::stri
 }
 
 HitTolerance deviceTolerance(const vulkan::Device& device, const BenchScene& scene) {
-    return toleranceOn(device.report().driver, scene.structure.lattice);
+    return toleranceOn(device.report().keepsBits(), scene.structure.lattice);
 }
 
 } // namespace

@@ -131,8 +131,8 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
     const bool isNew = unfinished.count() == 0;
     const TileRange part = isNew ? TileRange{next, next + count} : unfinished;
     const std::uint32_t begin = isNew ? taken : unfinishedTaken;
-    // Of a tile that takes longer than a submission should, some samples at a time. With uploaded sums it may
-    // have all of them, which takes no time.
+    // A tile that takes longer than a submission should gets some samples at a time. With uploaded sums a
+    // tile may already have all of them, which takes no time.
     const bool isSplit = part.count() == 1 && !hasSums;
     const std::uint32_t end = isSplit ? std::min(passEnd, begin + work.units()) : passEnd;
     const double before = sums.deviceSeconds;

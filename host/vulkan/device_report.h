@@ -52,6 +52,9 @@ struct DeviceReport {
     std::vector<std::string> refusals; // what we need and the device lacks, in words; empty: usable
 
     bool usable() const { return refusals.empty(); }
+    // Returns true for a software driver, which computes the CPU's bits. Others may divide within 2.5 units
+    // in the last place (Vulkan 1.2, "Precision and Operation of SPIR-V Instructions").
+    bool keepsBits() const { return type == DeviceType::cpu; }
     // Return true if every kernel fits that reads the scene through storage buffers, or any.
     bool runsWithStorageBuffers() const;
     bool runsEveryKernel() const;

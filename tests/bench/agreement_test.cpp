@@ -85,7 +85,7 @@ TEST_P(Agreement, everyTraversalHitsWhatTheJudgeHits) {
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});
     const ShadingData shading = makeShadingData(scene);
     const render::SceneBuffers buffers(device, structure, shading);
-    const HitTolerance tolerance = toleranceOn(device.report().driver, structure.lattice);
+    const HitTolerance tolerance = toleranceOn(device.report().keepsBits(), structure.lattice);
     for (const auto& [name, set] : allRays(scene, structure)) {
         const std::vector<RayResult> judged = judge(structure, set.rays, set.query).results;
         for (const std::string_view traversal : traversals()) {

@@ -82,7 +82,7 @@ bool isSamePicture(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>
 
 void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& expected) {
     ASSERT_EQ(film.size(), expected.size());
-    if (!vulkan::testDeviceKeepsBits()) {
+    if (!vulkan::testDevice().report().keepsBits()) {
         EXPECT_TRUE(isSamePicture(film, expected));
         return;
     }
@@ -100,7 +100,7 @@ void expectSameFilm(const std::vector<FilmPixel>& film, const std::vector<FilmPi
 
 void expectSameLight(const std::vector<LightParts>& light, const std::vector<LightParts>& expected) {
     ASSERT_EQ(light.size(), expected.size());
-    if (!vulkan::testDeviceKeepsBits()) {
+    if (!vulkan::testDevice().report().keepsBits()) {
         const auto sumOf = [](const std::vector<LightParts>& film) {
             glm::dvec4 sum(0.0);
             for (const LightParts& parts : film) {

@@ -69,12 +69,13 @@ std::vector<std::string_view> offeredTraversals(const vulkan::Device& device) {
 void expectHitsOfCpu(const Lattice& lattice, const std::span<const RayQuery> rays,
                      const std::vector<RayResult>& results, const std::span<const RayResult> expected,
                      const HitQuery query, const Counters counters) {
-    if (vulkan::testDeviceKeepsBits() && query == HitQuery::any && counters == Counters::ignored) {
+    if (vulkan::testDevice().report().keepsBits() && query == HitQuery::any &&
+        counters == Counters::ignored) {
         expectSameOcclusion(rays, results, expected);
-    } else if (vulkan::testDeviceKeepsBits()) {
+    } else if (vulkan::testDevice().report().keepsBits()) {
         expectSameHits(rays, results, expected, counters);
     } else {
-        const auto tolerance = bench::toleranceOn(vulkan::testDevice().report().driver, lattice);
+        const auto tolerance = bench::toleranceOn(false, lattice);
         const std::uint64_t different = bench::countDifferent(rays, results, expected, query, tolerance);
         EXPECT_TRUE(bench::isWithinBudget(different, rays.size(), tolerance)) << different << " rays";
     }
@@ -179,13 +180,14 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 // Compare all bits except steps and tests, or what is seen.
                 const FilmPixel& drawn = result.film.pixels[i];
-                const bool isSame = vulkan::testDeviceKeepsBits()
+                const bool isSame = vulkan::testDevice().report().keepsBits()
                                         ? std::memcmp(&drawn, &expected[i], offsetof(FilmPixel, steps)) == 0
                                         : drawn.seen.triangleId == expected[i].seen.triangleId;
                 different += isSame ? 0 : 1;
             }
             // One pixel in a thousand may show another triangle's edge where a device rounds otherwise.
-            const std::size_t budget = vulkan::testDeviceKeepsBits() ? 0 : expected.size() / 1000 + 1;
+            const std::size_t budget =
+                vulkan::testDevice().report().keepsBits() ? 0 : expected.size() / 1000 + 1;
             EXPECT_LE(different, budget) << "pixels";
         }
     }
