@@ -24,6 +24,7 @@ std::string sceneHash(const PreparedScene& prepared) {
         }
         hash.addAll(shading.emitters);
         hash.addAll(shading.lights);
+        hash.addAll(shading.lightNodes);
         hash.addAll(shading.environment);
         hash.addAll(shading.tables);
         hash.add(std::as_bytes(std::span(&shading.settings, 1)));

@@ -3,6 +3,10 @@
 
 #include "metamarch/vulkan/transfer.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace metamarch::render {
 namespace {
 
@@ -28,7 +32,11 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
     add(kBindMaterialRecords, scene.materials, "materials");
     add(kBindTextures, scene.textures, "textures");
     add(kBindEmitters, scene.emitters, "emitters");
-    add(kBindLights, scene.lights, "lights");
+    // The nodes of the tree of lights follow: see lib/shading.glsl.
+    std::vector<std::byte> lights;
+    std::ranges::copy(std::as_bytes(std::span(scene.lights)), std::back_inserter(lights));
+    std::ranges::copy(std::as_bytes(std::span(scene.lightNodes)), std::back_inserter(lights));
+    add(kBindLights, lights, "lights");
     add(kBindTables, scene.tables, "light tables");
     add(kBindEnvironment, scene.environment, "environment");
     for (std::uint32_t i = 0; i < kTexelChunks; ++i) {

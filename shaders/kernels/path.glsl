@@ -118,6 +118,7 @@ void main() {
                 const float t = ray.shift + trace.hit.t;
                 const PathStep step = meetSurface(settings, path, ray, t, triangle, inWay, taken.at);
                 taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
+                isWhole = isWhole && step.isWhole;
                 if (hasFeature(kFeatureLights) && step.shadow.isNeeded) {
                     const ShadowRay shadow = step.shadow;
                     const Ray toLight = makeRay(lattice, shadow.origin, 0.0, shadow.dir, shadow.tMax);

@@ -11,6 +11,7 @@ layout(constant_id = kSpecFeatures) const uint sceneFeatures = 0xffffffffu;
 #define SHADING_FEATURES sceneFeatures
 #include "shared/features.h"
 #include "shared/light.h"
+#include "shared/light_node.h"
 
 WORDS4(surfaceWords, kBindSurfaces);
 WORDS4(vertexWords, kBindVertices);
@@ -107,7 +108,7 @@ Emitter loadEmitter(const uint i) {
     const uvec4 a = LOAD4(emitterWords, 3u * i);
     const uvec4 b = LOAD4(emitterWords, 3u * i + 1u);
     const uvec4 c = LOAD4(emitterWords, 3u * i + 2u);
-    return Emitter(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), 0u);
+    return Emitter(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), c.w);
 }
 
 LightRecord loadLight(const uint i) {
@@ -115,6 +116,14 @@ LightRecord loadLight(const uint i) {
     const vec4 b = uintBitsToFloat(LOAD4(lightWords, 3u * i + 1u));
     const vec4 c = uintBitsToFloat(LOAD4(lightWords, 3u * i + 2u));
     return LightRecord(uintBitsToFloat(a.xyz), a.w, b.xyz, b.w, c.xyz, c.w);
+}
+
+// Nodes follow the punctual lights in their buffer, because lavapipe has no more than 32 storage buffers.
+LightNode loadLightNode(const uint punctualCount, const uint i) {
+    const uint row = 3u * punctualCount + 2u * i;
+    const vec4 a = uintBitsToFloat(LOAD4(lightWords, row));
+    const uvec4 b = LOAD4(lightWords, row + 1u);
+    return LightNode(a.xyz, a.w, b.x, b.y, uintBitsToFloat(b.z), b.w);
 }
 
 TableEntry loadTableEntry(const uint i) {

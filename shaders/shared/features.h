@@ -37,7 +37,8 @@ const uint kFeatureMipmaps = 1u << 19u;     // textures whose filter depends on 
 const uint kFeatureFurtherSets = 1u << 20u; // more than two sets of texture coordinates
 const uint kFeatureNormals = 1u << 21u;     // vertices with normals
 const uint kFeatureCatcher = 1u << 22u;     // a shadow catcher
-const uint kFirstFreeFeature = 1u << 23u;
+const uint kFeatureLightTree = 1u << 23u;   // so many lights that a tree chooses among those nearby
+const uint kFirstFreeFeature = 1u << 24u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES

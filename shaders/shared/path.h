@@ -33,9 +33,10 @@ struct Path {
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
-    vec3 gained;  // the part of radiance that the last surface or the surroundings added
-    uint channel; // colour channel that a dispersive volume has chosen; kNoChannel: none yet
-    uint bin;     // of the surface that the ray has left, for the density of light sampling
+    vec3 gained;        // the part of radiance that the last surface or the surroundings added
+    uint channel;       // colour channel that a dispersive volume has chosen; kNoChannel: none yet
+    uint bin;           // of the surface that the ray has left, for the density of light sampling
+    LightReceiver left; // the same with kFeatureLightTree
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
     Media media;  // used with kFeatureVolume
@@ -68,11 +69,13 @@ struct PathStep {
     vec3 albedo;
     vec3 normal;
     vec3 shadingNormal;
+    bool isWhole; // false if the driver has ended a loop early
 };
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
     return Path(origin, kCertain, dir, 0u, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel,
-                kAnyNormal, true, cone, media, false, false, vec3(0.0f), vec3(0.0f), false, 0.0f);
+                kAnyNormal, LightReceiver(vec3(0.0f), vec3(0.0f)), true, cone, media, false, false,
+                vec3(0.0f), vec3(0.0f), false, 0.0f);
 }
 
 // Returns the number of surfaces that have scattered the path.
@@ -279,7 +282,8 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     vec3 gain = light.radiance * foundWeight(settings, path.pdf, light.pdf, true);
     if (hasFeature(SCENE kFeatureLights) && settings.sunIndex != kNoSun) {
         const LightRecord sun = loadLight(SCENE settings.sunIndex);
-        const float probability = loadTableEntry(SCENE settings.emitterCount + settings.sunIndex).probability;
+        const float probability =
+            loadTableEntry(SCENE punctualEntry(SCENE settings, settings.sunIndex)).probability;
         const float density = probability / (kTwoPi * sun.scale);
         gain = gain + sun.strength *
                           (hitsDisc(sun, path.dir) ? foundWeight(settings, path.pdf, density, false) : 0.0f);
@@ -321,23 +325,35 @@ SHARED_FN vec3 transmittance(SCENE_PARAMETER const uint medium, const float dist
     return left;
 }
 
+// Returns true for a surface that scatters light from both sides.
+SHARED_FN bool isTransmissive(const Bsdf bsdf) {
+    const vec3 through = bsdf.throughColor + bsdf.diffuseThroughColor;
+    return hasFeature(kFeatureTransmission | kFeatureDiffuseTransmission) && largest(through) > 0.0f;
+}
+
 // Returns the bin of a surface.
 SHARED_FN uint lightBin(SCENE_PARAMETER const Bsdf bsdf) {
     if (!hasFeature(SCENE kFeatureEnvironment)) {
         return kAnyNormal;
     }
-    const vec3 through = bsdf.throughColor + bsdf.diffuseThroughColor;
-    const bool isTransmissive =
-        hasFeature(kFeatureTransmission | kFeatureDiffuseTransmission) && largest(through) > 0.0f;
-    return isTransmissive ? kAnyNormal : normalBin(bsdf.frame.normal);
+    return isTransmissive(bsdf) ? kAnyNormal : normalBin(bsdf.frame.normal);
+}
+
+// Returns what the tree of lights needs to know of a surface. A coat with a normal of its own gets light from
+// both sides of the base's normal.
+SHARED_FN LightReceiver lightReceiver(SCENE_PARAMETER const Bsdf bsdf, const SurfacePoint point) {
+    const bool hasOtherCoat =
+        hasFeature(SCENE kFeatureCoat) && hasFeature(SCENE kFeatureNormalMaps) && bsdf.coat.strength > 0.0f;
+    const bool isAround = isTransmissive(bsdf) || hasOtherCoat;
+    return LightReceiver(point.position, isAround ? vec3(0.0f) : bsdf.frame.normal);
 }
 
 // `ahead` and `behind` are the media on the side of the path and on the other side of the surface.
 SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, const Path path,
-                                 const Bsdf bsdf, const SurfacePoint point, const uint bin, const uint ahead,
-                                 const uint behind, const PixelSample at) {
+                                 const Bsdf bsdf, const SurfacePoint point, const LightReceiver to,
+                                 const uint bin, const uint ahead, const uint behind, const PixelSample at) {
     const vec2 u = sample2d(at, bounceDimension(path.bounce, kBounceLight));
-    const SceneLightSample light = sampleSceneLight(SCENE settings, point.position, bin, u);
+    const SceneLightSample light = sampleSceneLight(SCENE settings, to, bin, u);
     const BsdfValue found = evalBsdf(bsdf, light.wi);
     const PathSettings ofLight =
         emitterSettings(settings, path.isCaught && path.bounce == 0u && !light.isFar);
@@ -361,7 +377,8 @@ SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), 
 // Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
 // cone at the surface.
 SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint medium, const Bsdf bsdf,
-                       const SurfacePoint point, const uint bin, const float width, const PixelSample at) {
+                       const SurfacePoint point, const LightReceiver from, const uint bin, const float width,
+                       const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
                                         sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
     const float radianceScale = path.radianceScale * drawn.radianceScale;
@@ -383,6 +400,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint 
     next.radianceScale = radianceScale;
     next.bounce = path.bounce + 1u;
     next.bin = bin;
+    next.left = from;
     next.isAlive = kept > 0.0f && survives;
     next.cone = scatteredCone(path.cone, width, next.pdf);
     if (hasFeature(kFeatureVolume)) {
@@ -461,10 +479,18 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
 
     const bool isUnlit = hasFeature(SCENE kFeatureUnlit) && (record.flags & kMaterialUnlit) != 0u;
     vec3 gain = vec3(0.0f);
+    bool isWhole = true;
     if (hasFeature(SCENE kFeatureEmission)) {
         const float cosine = dotProduct(point.normal, wo);
         const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
-        const float density = solidAngleDensity(record.emissionDensity, t * t, cosine);
+        float probability = 0.0f;
+        if (hasFeature(SCENE kFeatureLightTree) && record.emissionDensity > 0.0f && path.pdf < kCertain) {
+            const EmitterChance chance = chanceOfEmitter(SCENE settings, path.left, triangle.triangleId);
+            probability = chance.probability;
+            isWhole = chance.isWhole;
+        }
+        const float density =
+            solidAngleDensity(emitterDensity(SCENE record, triangle, probability), t * t, cosine);
         const vec3 emitted = record.emission * xyz(lookUp(SCENE record.emissionTexture, uv));
         gain = emitted *
                (isShown ? bsdf.emissionScale * foundWeight(emitterSettings(settings, isFromCatcher(path)),
@@ -494,13 +520,14 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     // What the catcher mirrors looks as the camera would see it.
     const uint maxBounces = settings.maxBounces + (path.isMirrored ? 1u : 0u);
     const bool isLast = isUnlit || path.bounce > maxBounces;
+    const LightReceiver receiver = lightReceiver(SCENE bsdf, point);
     const uint bin = lightBin(SCENE bsdf);
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
-        shadow = sampleLights(SCENE settings, path, bsdf, point, bin, path.media.first, behind, at);
+        shadow = sampleLights(SCENE settings, path, bsdf, point, receiver, bin, path.media.first, behind, at);
         shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed && !isMirror;
     }
-    Path next = scatter(path, record, medium, bsdf, point, bin, width, at);
+    Path next = scatter(path, record, medium, bsdf, point, receiver, bin, width, at);
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
     }
@@ -510,7 +537,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         next.pdf = kCertain; // no light sample looks for what is in the mirror
     }
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
-    return PathStep(next, shadow, albedo, point.normal, frame.normal);
+    return PathStep(next, shadow, albedo, point.normal, frame.normal, isWhole);
 }
 
 SHARED_END

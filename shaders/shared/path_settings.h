@@ -20,7 +20,9 @@ struct PathSettings {
     uint maxBounces; // direct light at the first hit is bounce 0
     uint seed;
     uint strategies;
-    uint lightCount; // number of emitters and punctual lights, plus 1 for an environment map
+    // Number of entries of the table of lights: one for each emitter, or with kFeatureLightTree one for the
+    // whole tree; one for each punctual light; one for the environment map.
+    uint lightCount;
     uint emitterCount;
     uint punctualCount;
     uint environmentWidth;

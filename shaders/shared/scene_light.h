@@ -5,10 +5,16 @@
 #include "environment_map.h"
 #include "hit_point.h"
 #include "light.h"
+#include "light_tree.h"
 #include "material.h"
 #include "path_settings.h"
 
 SHARED_BEGIN
+
+// Returns the entry of a punctual light in the table of lights.
+SHARED_FN uint punctualEntry(SCENE_PARAMETER const PathSettings settings, const uint light) {
+    return (hasFeature(SCENE kFeatureLightTree) ? 1u : settings.emitterCount) + light;
+}
 
 // The tables are stored one after another: one for all lights; for each bin of normals, one for the map's
 // blocks; for each column of blocks, those for the rows of its blocks; for each row of cells, those for the
@@ -131,9 +137,23 @@ struct SceneLightSample {
     bool isMap;    // it comes from the environment map
 };
 
-// Samples the light that an emitter sends from one of its points, before visibility.
-SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, const vec3 point,
-                                         const vec2 u) {
+// Returns the probability density over the area of an emitter. Where `probability` of choosing it depends on
+// the surface, it is divided by its own area; otherwise it is a constant of the material.
+SHARED_FN float emitterDensity(SCENE_PARAMETER const MaterialRecord material, const TriangleRecord triangle,
+                               const float probability) {
+    if (!hasFeature(SCENE kFeatureLightTree)) {
+        return material.emissionDensity;
+    }
+    const vec3 scaled = scaledNormal(triangle.v0, triangle.v1, triangle.v2);
+    const float size = largest(abs(scaled)); // keeps the square within the range of floats
+    const vec3 normal = scaled / size;
+    return probability / (0.5f * size * sqrt(dotProduct(normal, normal)));
+}
+
+// Samples the light that an emitter sends from one of its points, before visibility. `probability` is that
+// of choosing the emitter.
+SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, const float probability,
+                                         const vec3 point, const vec2 u) {
     const vec3 weights = sampleTriangle(u);
     const TriangleRecord triangle =
         TriangleRecord(emitter.v0, emitter.triangleId, emitter.v1, 0u, emitter.v2, 0u);
@@ -153,27 +173,56 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
             radiance * vec3(texel.x, texel.y, texel.z) * coverage(SCENE material, surface, weights, at);
     }
     const bool isSeen = cosine > 0.0f || (material.flags & kMaterialDoubleSided) != 0u;
-    const float pdf = solidAngleDensity(material.emissionDensity, squaredDistance, cosine);
+    const float pdf =
+        solidAngleDensity(emitterDensity(SCENE material, triangle, probability), squaredDistance, cosine);
     const vec3 arriving = isSeen && pdf > 0.0f ? radiance / pdf : vec3(0.0f);
     return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf, false);
 }
 
-// `bin` is that of the surface at `point`.
-SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings, const vec3 point,
-                                            const uint bin, const vec2 u) {
-    const TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u.x);
+// Chooses a light. Emitters come first, then punctual lights, then the environment map.
+SHARED_FN TableChoice chooseLight(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
+                                  const float u) {
+    TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u);
+    if (hasFeature(SCENE kFeatureLightTree)) {
+        const float probability = choice.probability;
+        if (choice.index == 0u) {
+            choice = chooseFromLightTree(SCENE settings, to, choice.uRemapped);
+            choice.probability = choice.probability * probability;
+        } else {
+            choice.index = settings.emitterCount + choice.index - 1u;
+        }
+    }
+    return choice;
+}
+
+// Returns the probability with which chooseLight chooses the emitter at `triangleId`. It is not computed
+// without kFeatureLightTree.
+SHARED_FN EmitterChance chanceOfEmitter(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
+                                        const uint triangleId) {
+    EmitterChance chance = emitterChance(SCENE settings, to, triangleId);
+    chance.probability = chance.probability * loadTableEntry(SCENE 0u).probability;
+    return chance;
+}
+
+// `bin` is that of the surface.
+SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings settings,
+                                            const LightReceiver to, const uint bin, const vec2 u) {
+    const TableChoice choice = chooseLight(SCENE settings, to, u.x);
+    const vec3 point = to.position;
     const vec2 uPoint = vec2(choice.uRemapped, u.y);
     const uint firstPunctual = settings.emitterCount;
     const uint environment = settings.emitterCount + settings.punctualCount;
     SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f, false);
     if (hasFeature(SCENE kFeatureEmission) && choice.index < firstPunctual) {
-        result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), point, uPoint);
+        result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), choice.probability, point, uPoint);
     }
     if (settings.punctualCount > 0u && choice.index >= firstPunctual && choice.index < environment) {
         const LightSample light = sampleLight(loadLight(SCENE choice.index - firstPunctual), point, uPoint);
         const bool isFar = light.distance == kFarLight;
-        result = SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
-                                  light.arriving / choice.probability, light.pdf * choice.probability, false);
+        result =
+            SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
+                             choice.probability > 0.0f ? light.arriving / choice.probability : vec3(0.0f),
+                             light.pdf * choice.probability, false);
     }
     if (hasFeature(SCENE kFeatureEnvironment) && choice.index == environment) {
         const LightSample light = sampleEnvironment(SCENE settings, bin, uPoint);

@@ -125,7 +125,8 @@ struct Emitter {
     vec3 v1;
     uint material;
     vec3 v2;
-    uint padding;
+    uint branches; // with kFeatureLightTree, the way from the root: bit i is 1 for the second child of i-th
+                   // node
 };
 
 SHARED_ASSERT_SIZE(Surface, 16)

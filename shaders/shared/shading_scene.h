@@ -4,6 +4,7 @@
 #pragma once
 #include "features.h"
 #include "light.h"
+#include "light_node.h"
 #include "path_settings.h"
 #include "shading_layout.h"
 
@@ -24,9 +25,10 @@ struct ShadingScene {
     std::array<std::vector<std::uint32_t>, kTexelChunks> texels;
     std::vector<Emitter> emitters;
     std::vector<LightRecord> lights;
+    std::vector<LightNode> lightNodes; // with kFeatureLightTree; the root is the first
     // The map's texels, with kFeatureEnvironment: radiance in rgb, the weight for sampling in a.
     std::vector<glm::vec4> environment;
-    // One table for emitters, lights and environment map together, one for the map's rows of cells, and one
+    // One table for all lights (PathSettings::lightCount), one for the map's rows of cells, and one
     // for the columns of each row.
     std::vector<TableEntry> tables;
     PathSettings settings{}; // the scene sets the members about lights
@@ -59,6 +61,10 @@ inline std::uint32_t loadTexel(const ShadingScene& scene, const uint chunk, cons
 }
 inline Emitter loadEmitter(const ShadingScene& scene, const uint i) { return scene.emitters[i]; }
 inline LightRecord loadLight(const ShadingScene& scene, const uint i) { return scene.lights[i]; }
+// On the device the nodes follow the punctual lights in one buffer; see lib/shading.glsl.
+inline LightNode loadLightNode(const ShadingScene& scene, uint /*punctualCount*/, const uint i) {
+    return scene.lightNodes[i];
+}
 inline TableEntry loadTableEntry(const ShadingScene& scene, const uint i) { return scene.tables[i]; }
 inline glm::vec4 loadEnvironment(const ShadingScene& scene, const uint i) { return scene.environment[i]; }
 

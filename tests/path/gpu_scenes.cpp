@@ -180,6 +180,16 @@ void punctual(PathScene& made) {
     made.scene.lights.push_back(sun);
 }
 
+// Lamps and punctual lights among which the tree of lights chooses.
+void manyLights(PathScene& made) {
+    lamp(made);
+    punctual(made);
+    addBall(made.scene, {-1.6f, 1.2f, 1.0f}, 0.2f, addMaterial(made.scene, emitter({6, 3, 2})), false, 8);
+    Material sheet = emitter({1, 3, 5});
+    sheet.doubleSided = true;
+    addQuad(made.scene, {1.5f, 0.4f, -0.5f}, {0.1f, 0.4f, 0}, {0, 0, 0.6f}, addMaterial(made.scene, sheet));
+}
+
 void sky(PathScene& made) {
     Sky above = makeSky({.width = 32});
     made.surroundings.environment = above.environment;
@@ -363,6 +373,10 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          [] { return ballScene([](PathScene& made, Material&) { lamp(made); }); },
          {.samples = 5, .seed = 4, .strategies = kSampleBsdf, .clampLuminance = 1.5f}},
         {"punctual", [] { return ballScene([](PathScene& made, Material&) { punctual(made); }); }},
+        {"many_lights", [] { return ballScene([](PathScene& made, Material&) { manyLights(made); }); }},
+        {"many_lights_by_bsdf",
+         [] { return ballScene([](PathScene& made, Material&) { manyLights(made); }); },
+         {.samples = 5, .maxBounces = 6, .strategies = kSampleBsdf}},
         {"sky", [] { return ballScene([](PathScene& made, Material&) { sky(made); }); }},
         {"lens",
          [] {

@@ -107,6 +107,24 @@ PathScene quadsOverFloor() {
     return made;
 }
 
+// Returns lamps of many triangles and punctual lights, among which the tree of lights chooses, around a
+// glossy box. Two of them shine to both sides, one of them away from all.
+PathScene manyLamps() {
+    PathScene made;
+    Scene& scene = made.scene;
+    addQuad(scene, {-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, addMaterial(scene, plastic({0.6f, 0.5f, 0.4f}, 0.4f)));
+    addBox(scene, {-0.4f, 0, -0.4f}, {0.4f, 0.6f, 0.4f}, addMaterial(scene, metal({0.9f, 0.7f, 0.3f}, 0.4f)));
+    addBall(scene, {-1.2f, 0.7f, 0.4f}, 0.2f, addMaterial(scene, emitter({6, 3, 2})), false, 8);
+    Material sheet = emitter({1, 3, 5});
+    sheet.doubleSided = true;
+    const std::uint32_t both = addMaterial(scene, sheet);
+    addQuad(scene, {1.0f, 0.2f, -0.5f}, {0.1f, 0.4f, 0}, {0, 0, 0.6f}, both);
+    addQuad(scene, {0.2f, 1.4f, 0.3f}, {0.5f, 0, 0.1f}, {0, 0.1f, 0.3f}, both);
+    addQuad(scene, {-0.5f, 2, -1.5f}, {0.4f, 0, 0}, {0, 0.4f, 0}, addMaterial(scene, emitter({9, 1, 1})));
+    made.view = lookAt({0.5f, 1.2f, 3.0f}, {0, 0.4f, 0}, {0, 1, 0});
+    return made;
+}
+
 // Returns two balls under an environment map with a bright patch and a lamp; both are in the light table. The
 // map's tables leave all but the patch to BSDF sampling, also where only lights are sampled.
 PathScene ballsUnderMap() {
@@ -148,6 +166,10 @@ PathScene room() {
 
 TEST(PathUnbiased, quadsOverAGlossyFloor) {
     expectSameByEveryStrategy(quadsOverFloor(), {.samples = 128, .maxBounces = 4}, 0.02);
+}
+
+TEST(PathUnbiased, treeOfLamps) {
+    expectSameByEveryStrategy(manyLamps(), {.samples = 192, .maxBounces = 4}, 0.02);
 }
 
 TEST(PathUnbiased, mapWithABrightPatch) {

@@ -9,6 +9,7 @@
 #include "metamarch/shared/inspect_view.h"
 #include "metamarch/shared/kd_node.h"
 #include "metamarch/shared/kd_parent.h"
+#include "metamarch/shared/light_node.h"
 #include "metamarch/shared/path_input.h"
 #include "metamarch/shared/primary.h"
 #include "metamarch/shared/ray_query.h"
@@ -143,11 +144,15 @@ const StructLayout kStructs[] = {
     {"Emitter",
      sizeof(Emitter),
      {MEMBER(Emitter, v0), MEMBER(Emitter, triangleId), MEMBER(Emitter, v1), MEMBER(Emitter, material),
-      MEMBER(Emitter, v2), MEMBER(Emitter, padding)}},
+      MEMBER(Emitter, v2), MEMBER(Emitter, branches)}},
     {"LightRecord",
      sizeof(LightRecord),
      {MEMBER(LightRecord, position), MEMBER(LightRecord, kind), MEMBER(LightRecord, direction),
       MEMBER(LightRecord, scale), MEMBER(LightRecord, strength), MEMBER(LightRecord, offset)}},
+    {"LightNode",
+     sizeof(LightNode),
+     {MEMBER(LightNode, center), MEMBER(LightNode, radius), MEMBER(LightNode, axis),
+      MEMBER(LightNode, cosines), MEMBER(LightNode, intensity), MEMBER(LightNode, link)}},
     {"TableEntry",
      sizeof(TableEntry),
      {MEMBER(TableEntry, from), MEMBER(TableEntry, upTo), MEMBER(TableEntry, probability),
@@ -253,6 +258,7 @@ const WordBuffer kWordBuffers[] = {
     {"textureWordsBuffer", "TextureRecord"},
     {"emitterWordsBuffer", "Emitter"},
     {"lightWordsBuffer", "LightRecord"},
+    {"lightWordsBuffer", "LightNode"}, // behind the lights
     {"tableWordsBuffer", "TableEntry"},
 };
 

@@ -3,12 +3,15 @@
 #ifndef METAMARCH_TESTS_SHADING_LOADED_RECORDS_H
 #define METAMARCH_TESTS_SHADING_LOADED_RECORDS_H
 #include "metamarch/shared/light.h"
+#include "metamarch/shared/light_node.h"
 #include "metamarch/shared/shading_layout.h"
 #ifdef __cplusplus
 #include "metamarch/shared/shading_scene.h"
 #endif
 
 SHARED_BEGIN
+
+const uint kLoadedRecords = 5u;
 
 struct LoadedRecords {
     Surface surface;
@@ -20,6 +23,7 @@ struct LoadedRecords {
     TextureUse use;
     Emitter emitter;
     LightRecord light;
+    LightNode node;
     TableEntry table;
     vec4 environment;
     vec3 vertexNormal;
@@ -41,6 +45,7 @@ SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
     loaded.use = loadTextureUse(SCENE i);
     loaded.emitter = loadEmitter(SCENE i);
     loaded.light = loadLight(SCENE i);
+    loaded.node = loadLightNode(SCENE kLoadedRecords, i);
     loaded.table = loadTableEntry(SCENE i);
     loaded.environment = loadEnvironment(SCENE i);
     loaded.vertexNormal = loadVertexNormal(SCENE i);
@@ -52,7 +57,7 @@ SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
     return loaded;
 }
 
-SHARED_ASSERT_SIZE(LoadedRecords, 288 + 16 * kMaterialRows)
+SHARED_ASSERT_SIZE(LoadedRecords, 320 + 16 * kMaterialRows)
 SHARED_ASSERT_OFFSET(LoadedRecords, material, 80)
 
 SHARED_END

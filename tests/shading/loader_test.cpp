@@ -19,7 +19,7 @@
 namespace metamarch::vulkan {
 namespace {
 
-constexpr std::uint32_t kRecords = 5;
+constexpr std::uint32_t kRecords = kLoadedRecords;
 
 // Fills all buffers so that every word, except padding, is a different number in [1, 2).
 ShadingScene sceneOfDistinctWords() {
@@ -43,13 +43,11 @@ ShadingScene sceneOfDistinctWords() {
     fill(scene.textures);
     fill(scene.emitters);
     fill(scene.lights);
+    fill(scene.lightNodes);
     fill(scene.tables);
     fill(scene.environment);
     for (auto& chunk : scene.texels) {
         fill(chunk);
-    }
-    for (Emitter& emitter : scene.emitters) {
-        emitter.padding = 0;
     }
     return scene;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/shading/light/light_store.h"
 
+#include "metamarch/shading/light/light_tree.h"
 #include "metamarch/shading/light/weighted_table.h"
 #include "metamarch/shared/hit_point.h"
 
@@ -132,6 +133,79 @@ std::vector<double> probabilities(const Weights& weights) {
     return result;
 }
 
+// Returns the emitter for the tree. `radiance` is its mean.
+PlacedLight placedEmitter(const Emitter& emitter, const double radiance, const bool isTwoSided) {
+    const glm::dvec3 v0(emitter.v0);
+    const glm::dvec3 v1(emitter.v1);
+    const glm::dvec3 v2(emitter.v2);
+    return {.corners = {v0, v1, v2},
+            .axis = glm::normalize(glm::cross(v1 - v0, v2 - v0)),
+            .isTwoSided = isTwoSided,
+            .intensity = radiance * areaOf(emitter)};
+}
+
+bool isPlaced(const LightRecord& light) { return light.kind == kLightPoint || light.kind == kLightSpot; }
+
+PlacedLight placedPunctual(const LightRecord& light) {
+    const glm::dvec3 position(light.position);
+    const bool isSpot = light.kind == kLightSpot;
+    // Where the falloff is 0: see makeSpotFalloff.
+    const double outer = isSpot ? -light.offset / light.scale : -1.0;
+    return {.corners = {position, position, position},
+            .axis = glm::normalize(glm::dvec3(light.direction)),
+            .spread = isSpot ? 1.0 : -1.0,
+            .end = outer,
+            .intensity = luminance(light.strength)};
+}
+
+// With more lights than this that have a place, a tree chooses among them. Two may be the halves of one
+// quadrilateral, which a table samples as well.
+constexpr std::size_t kFewLights = 2;
+
+// Replaces the entries of all lights that have a place in `chances`, the table of lights, by one entry for a
+// tree of them, if they are many.
+void addLightTree(const std::span<const glm::vec3> meanEmission, ShadingScene& target,
+                  std::vector<double>& chances) {
+    std::vector<PlacedLight> placed;
+    std::vector<std::uint32_t> indices; // of lights: emitters first, then punctual lights
+    double chance = 0.0;
+    const auto add = [&](const std::size_t index, const PlacedLight& light) {
+        if (light.intensity > 0.0) {
+            placed.push_back(light);
+            indices.push_back(static_cast<std::uint32_t>(index));
+            chance += chances[index];
+        }
+    };
+    for (std::size_t i = 0; i < target.emitters.size(); ++i) {
+        const Emitter& emitter = target.emitters[i];
+        const bool isTwoSided = (target.materials[emitter.material].flags & kMaterialDoubleSided) != 0u;
+        add(i, placedEmitter(emitter, luminance(meanEmission[emitter.material]), isTwoSided));
+    }
+    for (std::size_t i = 0; i < target.lights.size(); ++i) {
+        if (isPlaced(target.lights[i])) {
+            add(target.emitters.size() + i, placedPunctual(target.lights[i]));
+        }
+    }
+    if (placed.size() <= kFewLights) {
+        return;
+    }
+    LightTree tree = makeLightTree(placed);
+    for (LightNode& node : tree.nodes) {
+        node.link = (node.axis & kLightLeaf) != 0u ? indices[node.link] : node.link;
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (indices[i] < target.emitters.size()) {
+            target.emitters[indices[i]].branches = tree.branches[i];
+        } else {
+            chances[indices[i]] = 0.0;
+        }
+    }
+    target.lightNodes = std::move(tree.nodes);
+    target.features |= kFeatureLightTree;
+    chances.erase(chances.begin(), chances.begin() + static_cast<std::ptrdiff_t>(target.emitters.size()));
+    chances.insert(chances.begin(), chance);
+}
+
 } // namespace
 
 void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
@@ -163,21 +237,22 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
         addEnvironment(*surroundings.environment, target, weights, radius);
     }
 
-    const std::vector<double> chances = probabilities(weights);
+    std::vector<double> chances = probabilities(weights);
     const bool hasLight = std::ranges::any_of(chances, [](const double chance) { return chance > 0.0; });
     settings.emitterCount = static_cast<std::uint32_t>(target.emitters.size());
     settings.punctualCount = static_cast<std::uint32_t>(target.lights.size());
-    settings.lightCount = static_cast<std::uint32_t>(chances.size());
     settings.environmentProbability = static_cast<float>(chances.back());
     target.features |= hasLight ? kFeatureLights : 0u;
-    const std::vector<float> rounded(chances.begin(), chances.end());
-    const std::vector<TableEntry> lightTable = makeWeightedTable(rounded);
-    target.tables.insert(target.tables.begin(), lightTable.begin(), lightTable.end());
     for (std::size_t i = 0; i < target.emitters.size(); ++i) {
         // Equal for all emitters of a material.
         const double density = chances[i] / areaOf(target.emitters[i]);
         target.materials[target.emitters[i].material].emissionDensity = static_cast<float>(density);
     }
+    addLightTree(meanEmission, target, chances);
+    settings.lightCount = static_cast<std::uint32_t>(chances.size());
+    const std::vector<float> rounded(chances.begin(), chances.end());
+    const std::vector<TableEntry> lightTable = makeWeightedTable(rounded);
+    target.tables.insert(target.tables.begin(), lightTable.begin(), lightTable.end());
 }
 
 } // namespace metamarch

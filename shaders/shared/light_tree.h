@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// A binary tree of lights. Light sampling walks it from the root to one light and takes the child that can
+// give a point more light with a higher probability. A. Conty Estevez, C. Kulla, "Importance Sampling of Many
+// Lights with Adaptive Tree Splitting", 2018; here without splitting: one light for one sample.
+#ifndef METAMARCH_SHARED_LIGHT_TREE_H
+#define METAMARCH_SHARED_LIGHT_TREE_H
+#include "light.h"
+#include "light_node.h"
+#include "path_settings.h"
+#include "shading_layout.h"
+#ifdef __cplusplus
+#include "shading_scene.h"
+#endif
+
+SHARED_BEGIN
+
+// An angle in [0, pi].
+struct Angle {
+    float cosine;
+    float sine;
+};
+
+SHARED_FN Angle angleOf(const float cosine) {
+    const float limited = min(max(cosine, -1.0f), 1.0f);
+    return Angle(limited, sqrt(max(1.0f - limited * limited, 0.0f)));
+}
+
+// Returns max(a - b, 0).
+SHARED_FN Angle lessenedAngle(const Angle a, const Angle b) {
+    const Angle difference =
+        Angle(a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine);
+    return a.cosine >= b.cosine ? Angle(1.0f, 0.0f) : difference;
+}
+
+// What light sampling needs to know of the surface that it samples light for.
+struct LightReceiver {
+    vec3 position;
+    vec3 normal; // unit length, on the side that gets light; zero: all directions get light
+};
+
+// Returns a bound of the light that a node gives to a surface, up to a factor that is the same for all nodes.
+// It is 0 only where no point of the node can give light, but for rounding.
+SHARED_FN float lightImportance(const LightNode node, const LightReceiver to) {
+    const vec3 towards = node.center - to.position;
+    const float squaredDistance = dotProduct(towards, towards);
+    const float distance = sqrt(max(squaredDistance, 1e-30f));
+    const vec3 wi = towards / distance;
+    const bool isOutside = distance > node.radius;
+    const float sine = isOutside ? node.radius / distance : 0.0f;
+    // Half of the angle that the sphere covers, as the point sees it.
+    const Angle covered = Angle(isOutside ? sqrt(max(1.0f - sine * sine, 0.0f)) : -1.0f, sine);
+
+    const vec2 cosines = unpackCosines(node.cosines);
+    const float along = -dotProduct(wi, unpackAxis(node.axis));
+    const Angle fromAxis = angleOf((node.axis & kLightTwoSided) != 0u ? abs(along) : along);
+    const Angle emitted = lessenedAngle(lessenedAngle(fromAxis, angleOf(cosines.x)), covered);
+    const bool isAround = dotProduct(to.normal, to.normal) == 0.0f;
+    const Angle arriving = lessenedAngle(angleOf(dotProduct(wi, to.normal)), covered);
+
+    const float reach = max(max(distance, node.radius), 1e-15f);
+    const float facing = emitted.cosine > cosines.y ? max(emitted.cosine, 0.0f) : 0.0f;
+    const float received = isAround ? 1.0f : max(arriving.cosine, 0.0f);
+    return min(node.intensity / (reach * reach), 1e30f) * facing * received;
+}
+
+// Returns the probability of the first of two children, given that one of them is chosen. If no light of
+// either reaches the surface, returns -1.
+SHARED_FN float firstChildProbability(const LightNode first, const LightNode second, const LightReceiver to) {
+    const float ofFirst = lightImportance(first, to);
+    const float sum = ofFirst + lightImportance(second, to);
+    return sum > 0.0f ? ofFirst / sum : -1.0f;
+}
+
+// Chooses a light by u. The probability is 0 if no light reaches the surface.
+SHARED_FN TableChoice chooseFromLightTree(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
+                                          const float u) {
+    LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
+    float probability = 1.0f;
+    float rest = u;
+    // As in chooseFromTable, the `if` is for llvmpipe.
+    do {
+        if ((node.axis & kLightLeaf) == 0u) {
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
+            const float split = firstChildProbability(first, second, to);
+            const bool isFirst = rest < split;
+            const float chance = isFirst ? split : 1.0f - split;
+            const float from = isFirst ? 0.0f : split;
+            rest = split < 0.0f ? rest : min(max((rest - from) / max(chance, 1e-30f), 0.0f), 0.99999994f);
+            probability = split < 0.0f ? 0.0f : probability * chance;
+            node.center = isFirst ? first.center : second.center;
+            node.radius = isFirst ? first.radius : second.radius;
+            node.axis = isFirst ? first.axis : second.axis;
+            node.link = isFirst ? first.link : second.link;
+        }
+    } while ((node.axis & kLightLeaf) == 0u);
+    return TableChoice(node.link, probability, rest);
+}
+
+// The probability with which chooseFromLightTree chooses an emitter.
+struct EmitterChance {
+    float probability;
+    bool isWhole; // false if the driver has ended a loop early: see `finish` in lib/scene.glsl
+};
+
+// Returns the probability of the emitter at `triangleId`; 0 if there is none.
+SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
+                                      const uint triangleId) {
+    // Emitters are in the order of their triangles.
+    uint low = 0u;
+    uint high = settings.emitterCount - 1u;
+    do {
+        if (low < high) {
+            const uint middle = (low + high) >> 1u;
+            const bool isAbove = loadEmitter(SCENE middle).triangleId < triangleId;
+            low = isAbove ? middle + 1u : low;
+            high = isAbove ? high : middle;
+        }
+    } while (low < high);
+    const uint unread = high - low;
+    const Emitter emitter = loadEmitter(SCENE low);
+
+    LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
+    float probability = emitter.triangleId == triangleId ? 1.0f : 0.0f;
+    uint branches = emitter.branches;
+    uint left = 1u;
+    do {
+        if ((node.axis & kLightLeaf) == 0u) {
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
+            const float split = firstChildProbability(first, second, to);
+            const bool isFirst = (branches & 1u) == 0u;
+            probability = split < 0.0f ? 0.0f : probability * (isFirst ? split : 1.0f - split);
+            branches = branches >> 1u;
+            node.axis = isFirst ? first.axis : second.axis;
+            node.link = isFirst ? first.link : second.link;
+        }
+        left = (node.axis & kLightLeaf) == 0u ? 1u : 0u;
+    } while ((node.axis & kLightLeaf) == 0u);
+    return EmitterChance(probability, unread + left == 0u);
+}
+
+SHARED_END
+#endif
