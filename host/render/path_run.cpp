@@ -149,7 +149,7 @@ bool PathRun::take(const OnShow& show) {
     bool isOn = true;
     while (isOn && next_ < range_.end) {
         if (range_.first > 0 && next_ > spanFirst_ && next_ == passEnd(spanFirst_)) {
-            complete_.push_back({spanFirst_, sampler_.sums().block});
+            complete_.emplace_back(spanFirst_, sampler_.sums().block);
             spanFirst_ = next_;
             sampler_.start(noSums(work_, spanFirst_));
         }
@@ -164,9 +164,9 @@ FilmRun PathRun::sums() const {
     FilmRun run{.area = work_.area, .spans = complete_};
     PathSums sums = sampler_.sums();
     if (range_.first == 0 && sums.blockFirst > 0) {
-        run.spans.push_back({0, std::move(sums.earlier)});
+        run.spans.emplace_back(0, std::move(sums.earlier));
     }
-    run.spans.push_back({sums.blockFirst, std::move(sums.block)});
+    run.spans.emplace_back(sums.blockFirst, std::move(sums.block));
     return run;
 }
 

@@ -15,7 +15,8 @@ std::uint32_t addWaves(Scene& scene, const bool isDeep, const TextureWrap wrap =
     std::vector<glm::vec4> floats;
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
         const float x = static_cast<float>(i % kSide);
-        const float y = static_cast<float>(i / kSide);
+        const std::uint32_t row = i / kSide;
+        const auto y = static_cast<float>(row);
         const glm::vec4 texel = 0.5f + 0.4f * glm::sin(glm::vec4(x, y, x + y + 1.0f, 0.7f * x - y) *
                                                        glm::vec4(1.1f, 0.9f, 0.6f, 1));
         floats.push_back(texel);

@@ -38,7 +38,7 @@ render::PathWork work(const PixelRect& area = kArea) {
 
 // Radiances whose sums depend on the order of their addition.
 glm::vec3 radianceOf(const std::size_t pixel, const std::uint32_t sample) {
-    const auto phase = static_cast<float>(pixel * 131 + sample * 17);
+    const auto phase = static_cast<float>(pixel * 131 + std::size_t{sample} * 17);
     return glm::vec3(1.0f, 0.1f, 1e-4f) * std::exp(8.0f * std::sin(phase));
 }
 

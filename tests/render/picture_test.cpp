@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 #include <map>
 #include <random>
@@ -90,7 +92,10 @@ class Picture : public testing::TestWithParam<Backend> {
     Camera camera;
 };
 
-bool isSame(const FilmPixel& a, const FilmPixel& b) { return std::memcmp(&a, &b, sizeof(FilmPixel)) == 0; }
+bool isSame(const FilmPixel& a, const FilmPixel& b) {
+    using Words = std::array<std::uint32_t, sizeof(FilmPixel) / sizeof(std::uint32_t)>;
+    return std::bit_cast<Words>(a) == std::bit_cast<Words>(b);
+}
 
 // Expects that every pixel is whole or empty, and returns the number of whole ones.
 std::size_t countWhole(const std::vector<FilmPixel>& film, const std::vector<FilmPixel>& whole) {

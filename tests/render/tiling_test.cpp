@@ -57,7 +57,8 @@ double longestSubmission(const std::function<double(double x, double y)>& cost) 
         double seconds = 0.0;
         for (std::uint32_t place = next; place < end; ++place) {
             const std::uint32_t tile = tileAt(tiling.order, place);
-            seconds += cost((tile % 160 + 0.5) / 160, (tile / 160 + 0.5) / 90);
+            const std::uint32_t row = tile / 160;
+            seconds += cost((tile % 160 + 0.5) / 160, (row + 0.5) / 90);
         }
         work.finished(seconds * work.units() / (end - next));
         longest = std::max(longest, seconds / WorkSize::kTargetSeconds);

@@ -37,7 +37,7 @@ TEST_F(Off, HeadersInEveryForm) {
     for (const char* header :
          {"OFF\n4 1 0\n", "OFF 4 1 0\n", "OFF4 1 0\n", "OFF\n4 1\n", "4 1 0\n", "off\n4 1 4\n",
           "# a\n\nOFF # b\n# c\n4 1 0 # d\n", "OFF\n4\n1\n0\n", "\xef\xbb\xbfOFF\r\n4 1 0\r\n"}) {
-        expectSquare(header + kVertices + kFace);
+        expectSquare(std::string(header).append(kVertices).append(kFace));
     }
 }
 

@@ -150,7 +150,8 @@ TEST_F(Ply, UnknownElementsAndPropertiesAreSkipped) {
             .add<std::uint32_t>({4, 0, 1, 2, 3})
             .add<std::int8_t>({1})
             .add<std::int16_t>({5});
-        expectSquare(binary(order, foo + vertex + face, body), {"PLY: elements are not read: 2 'foo'"});
+        expectSquare(binary(order, std::string(foo).append(vertex).append(face), body),
+                     {"PLY: elements are not read: 2 'foo'"});
     }
 }
 
@@ -341,7 +342,7 @@ TEST_F(Ply, TexCoordsOfVertices) {
         const std::string texCoords = "property float " + both.substr(0, both.find(' ')) +
                                       "\nproperty float " + both.substr(both.find(' ') + 1) + '\n';
         const Scene scene =
-            load("a.ply", ascii(kVertexElement + texCoords + kFaceElement,
+            load("a.ply", ascii(std::string(kVertexElement).append(texCoords).append(kFaceElement),
                                 "-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 0.75\n-1 1 0 0 1\n" + kFace));
         EXPECT_EQ(scene.texCoords, std::vector<glm::vec2>({{0, 1}, {1, 1}, {1, 0.25f}, {0, 0}})) << names;
         EXPECT_EQ(scene.triangleMaterial.at(0), kNoMaterial);
@@ -395,10 +396,13 @@ TEST_F(Ply, TextureNumbersChooseTheFile) {
 TEST_F(Ply, TexturesAreFoundBesideTheFile) {
     writeFile(folder / "t.png", pngFile(1, 1, 3, {10, 20, 30}));
     for (const char* name : {"C:\\Users\\me\\t.png", "/home/me/t.png", "textures/t.png", "\"t.png\""}) {
-        const Scene scene =
-            load("a.ply", ascii(std::string("comment TextureFile ") + name + '\n' + kVertexElement +
-                                    kFaceElement + "property list uchar float texcoord\n",
-                                kVertices + "4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"));
+        const Scene scene = load("a.ply", ascii(std::string("comment TextureFile ")
+                                                    .append(name)
+                                                    .append("\n")
+                                                    .append(kVertexElement)
+                                                    .append(kFaceElement)
+                                                    .append("property list uchar float texcoord\n"),
+                                                kVertices + "4 0 1 2 3 8 0 0 1 0 1 1 0 1\n"));
         EXPECT_EQ(scene.images.at(0).bytes.at(0), glm::u8vec4(10, 20, 30, 255)) << name;
     }
 }

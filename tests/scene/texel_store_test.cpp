@@ -140,7 +140,7 @@ TEST(TexelStore, storesWhatIsAlikeOnce) {
 
 TEST(TexelStore, refusesNoSceneForItsLevels) {
     Scene scene = sceneOf(8, TextureFilter::linear, TextureFilter::nearestMipmapLinear);
-    const ShadingScene full = stored(scene, {0}, 64 * 4);
+    const ShadingScene full = stored(scene, {0}, 256);
     EXPECT_EQ(full.textures[0].use.flags >> kTextureLastLevelShift, 3u);
     EXPECT_EQ(full.textures[1].level.format, 1u << kTexelsChunkShift); // in the next chunk, which has room
     EXPECT_EQ(full.textures[1].level.firstWord, 0u);
@@ -150,7 +150,7 @@ TEST(TexelStore, refusesNoSceneForItsLevels) {
         scene.textures.push_back({.image = i});
     }
     ShadingScene target;
-    TexelStore store(scene, 64 * 4, target);
+    TexelStore store(scene, 256, target);
     for (std::uint32_t i = 0; i < kTexelChunks; ++i) {
         store.add({.texture = i});
     }

@@ -193,7 +193,8 @@ TEST(Triangulate, RandomSimplePolygonsOfAGrid) {
 // branches are neighbours.
 class CellTree {
   public:
-    CellTree(int size, std::mt19937& random) : size_(size), random_(random), seen_(size * size, false) {
+    CellTree(int size, std::mt19937& random)
+        : size_(size), random_(random), seen_(indexOf({0, size}), false) {
         walk({0, 0}, {0, 0});
     }
 
@@ -201,10 +202,15 @@ class CellTree {
     int cells = 0;
 
   private:
+    std::size_t indexOf(const glm::ivec2 cell) const {
+        return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(size_) +
+               static_cast<std::size_t>(cell.x);
+    }
+
     // Goes around the cell counter-clockwise from its lower left corner, as seen from the cell before it, and
     // into unseen neighbours through its sides.
     void walk(glm::ivec2 cell, glm::ivec2 from) {
-        seen_[static_cast<std::size_t>(cell.y * size_ + cell.x)] = true;
+        seen_[indexOf(cell)] = true;
         ++cells;
         const std::array<glm::ivec2, 4> corners = {glm::ivec2(0, 0), {1, 0}, {1, 1}, {0, 1}};
         const std::array<glm::ivec2, 4> across = {glm::ivec2(0, -1), {1, 0}, {0, 1}, {-1, 0}};
@@ -218,8 +224,7 @@ class CellTree {
             border.emplace_back(cell + corners[side]);
             const glm::ivec2 other = cell + across[side];
             const bool isInside = std::min(other.x, other.y) >= 0 && std::max(other.x, other.y) < size_;
-            if (isInside && !seen_[static_cast<std::size_t>(other.y * size_ + other.x)] &&
-                random_() % 4 != 0) {
+            if (isInside && !seen_[indexOf(other)] && random_() % 4 != 0) {
                 walk(other, -across[side]);
             }
         }
@@ -259,9 +264,10 @@ TEST(Triangulate, RepeatedCornersAndSpikes) {
 Polygon spiral(int turns, int corners) {
     Polygon polygon;
     for (const int side : {1, -1}) {
-        for (int i = 0; i < corners / 2; ++i) {
-            const int step = side > 0 ? i : corners / 2 - 1 - i;
-            const double angle = 2.0 * std::numbers::pi * turns * step / (corners / 2);
+        const int steps = corners / 2;
+        for (int i = 0; i < steps; ++i) {
+            const int step = side > 0 ? i : steps - 1 - i;
+            const double angle = 2.0 * std::numbers::pi * turns * step / steps;
             const double radius = 1.0 + angle + 0.5 * side;
             polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
         }
@@ -345,6 +351,7 @@ TEST(Triangulate, PolygonsThatCrossThemselvesEnd) {
     std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
     for (const int size : {5, 9, 100, 3000}) {
         std::vector<glm::vec3> corners;
+        corners.reserve(static_cast<std::size_t>(size));
         for (int i = 0; i < size; ++i) {
             corners.emplace_back(anywhere(random), anywhere(random), anywhere(random));
         }

@@ -231,7 +231,8 @@ TEST(EnvironmentMap, densityFollowsTheFilteredLight) {
     double light = 0.0;
     double sines = 0.0;
     for (std::size_t i = 0; i < map.texels.size(); ++i) {
-        const double sine = std::sin(M_PI * (static_cast<double>(i / 128) + 0.5) / 64.0);
+        const std::size_t row = i / 128;
+        const double sine = std::sin(M_PI * (static_cast<double>(row) + 0.5) / 64.0);
         light += map.texels[i].x * sine;
         sines += sine;
     }

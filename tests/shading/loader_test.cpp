@@ -28,7 +28,7 @@ ShadingScene sceneOfDistinctWords() {
     const auto fill = [&](auto& records) {
         records.resize(kRecords);
         for (auto& record : records) {
-            std::array<std::uint32_t, sizeof(record) / sizeof(next)> words;
+            std::array<std::uint32_t, sizeof(record) / sizeof(std::uint32_t)> words;
             for (std::uint32_t& word : words) {
                 word = next++;
             }

@@ -25,8 +25,9 @@ RayCone coneOf(const Camera& camera, const float x, const float y) {
 double solidAngleOf(const Camera& camera) {
     double sum = 0.0;
     for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const auto row = i / kWidth;
         const RayCone cone =
-            coneOf(camera, static_cast<float>(i % kWidth) + 0.5f, static_cast<float>(i / kWidth) + 0.5f);
+            coneOf(camera, static_cast<float>(i % kWidth) + 0.5f, static_cast<float>(row) + 0.5f);
         EXPECT_EQ(cone.width, 0.0f);
         sum += double{cone.spread} * cone.spread;
     }

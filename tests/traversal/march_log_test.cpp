@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 namespace metamarch::tests {
 namespace {
@@ -39,7 +41,8 @@ TEST_P(MarchLogs, haveTheStepsTestsAndHitOfTheMarch) {
         for (const HitQuery wanted : {HitQuery::closest, HitQuery::any}) {
             const TraceResult expected = traceMetaTable(structure, ray, wanted);
             const MarchLog log = logMarch(structure, ray, wanted);
-            ASSERT_EQ(std::memcmp(&log.result, &expected, sizeof(TraceResult)), 0);
+            using Words = std::array<std::uint32_t, sizeof(TraceResult) / sizeof(std::uint32_t)>;
+            ASSERT_EQ(std::bit_cast<Words>(log.result), std::bit_cast<Words>(expected));
             ASSERT_EQ(log.steps.size(), expected.steps);
             std::uint32_t tests = 0;
             for (const MarchStep& step : log.steps) {

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 // Writes a file with triangles side by side. Each is a separate mesh.
 std::filesystem::path makeScene(const TemporaryFolder& folder, const std::string& name, const int triangles) {
-    const std::filesystem::path path = folder / name;
+    std::filesystem::path path = folder / name;
     std::ofstream file(path);
     for (int i = 0; i < triangles; ++i) {
         file << "o mesh" << i << "\nv " << 2 * i << " 0 0\nv " << 2 * i + 1 << " 0 0\nv " << 2 * i << " 1 0\n"

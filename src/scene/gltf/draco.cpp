@@ -33,7 +33,7 @@ template <class T>
 std::optional<std::vector<unsigned char>> valuesOf(const draco::Mesh& mesh,
                                                    const draco::PointAttribute& attribute) {
     const auto components = static_cast<std::int8_t>(attribute.num_components()); // Draco has both types
-    const auto stride = static_cast<std::size_t>(components);
+    const std::size_t stride = static_cast<unsigned char>(components);
     std::vector<T> values(stride * mesh.num_points());
     for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
         if (!attribute.ConvertValue<T>(attribute.mapped_index(point), components,
