@@ -230,5 +230,31 @@ TEST(LightTree, knowsEmittersByTheirTriangles) {
     EXPECT_NEAR(sum + probabilitiesAt(shading, to).at(pointIndex), 1.0, 1e-5);
 }
 
+// Of two panels, one shows the black half of their texture, the other the white half.
+TEST(LightTree, prefersTheBrightPartsOfATexture) {
+    PathScene made;
+    Scene& scene = made.scene;
+    TextureImage image;
+    image.width = 2;
+    image.height = 1;
+    image.bytes = {{0, 0, 0, 255}, {255, 255, 255, 255}};
+    scene.images.push_back(image);
+    scene.textures.push_back({.image = 0, .wrapS = TextureWrap::clampToEdge});
+    Material panel = emitter({1, 1, 1});
+    panel.emissiveTexture = {0};
+    const std::uint32_t material = addMaterial(scene, panel);
+    addQuad(scene, {-2, 2, -0.5f}, {1, 0, 0}, {0, 0, 1}, material);
+    addQuad(scene, {1, 2, -0.5f}, {1, 0, 0}, {0, 0, 1}, material);
+    for (std::size_t i = 0; i < 8; ++i) {
+        scene.texCoords[i] = {i < 4 ? 0.1f : 0.9f, 0.5f};
+    }
+    const ShadingScene shading = shadingOf(made);
+    ASSERT_NE(shading.features & kFeatureLightTree, 0u);
+    const LightReceiver below(glm::vec3(0.0f), glm::vec3(0, 1, 0));
+    // The mean of the texture is a half, and counts for a tenth.
+    EXPECT_NEAR(emitterChance(shading, shading.settings, below, 0).probability, 0.025, 1e-4);
+    EXPECT_NEAR(emitterChance(shading, shading.settings, below, 2).probability, 0.475, 1e-3);
+}
+
 } // namespace
 } // namespace metamarch::tests
