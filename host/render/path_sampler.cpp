@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/path_sampler.h"
 
+#include "metamarch/error/error.h"
 #include "metamarch/reference/path.h"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 
 namespace metamarch::render {
 namespace {
+
+// A film of 128 x 128 pixels: less memory is not worth a band.
+constexpr std::uint32_t kLeastTiles = 256;
 
 // Begins the next block if all pixels have the whole of the current one, and samples behind it are wanted.
 void beginBlock(PathSums& sums, const std::uint32_t endSample) {
@@ -79,11 +83,30 @@ bool CpuPathSampler::take(const std::uint32_t endSample, const OnProgress& onPro
     });
 }
 
+std::uint32_t tilesAtOnce(const std::uint32_t tiles, const std::uint32_t mostTiles,
+                          const std::uint64_t freeBytes, const std::uint64_t bytesOfTile) {
+    const std::uint64_t fitting = std::max<std::uint64_t>(freeBytes / 2 / bytesOfTile, kLeastTiles);
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>({tiles, mostTiles, fitting}));
+}
+
 DevicePathSampler::DevicePathSampler(const vulkan::Device& device, const SceneBuffers& scene,
                                      const ShadingBuffers& shading, const std::string& traversal,
                                      const PathWork& work, const std::uint32_t mostTiles)
-    : work_(work), tiles_(Tiling(work.area).count), mostTiles_(mostTiles),
-      tracer_(device, scene, shading, traversal, std::min(tiles_, mostTiles), work.request.parts) {
+    : work_(work), tiles_(Tiling(work.area).count),
+      mostTiles_(
+          tilesAtOnce(tiles_, mostTiles, device.freeMemory(), PathTracer::bytesOfTile(work.request.parts))) {
+    while (!tracer_) {
+        try {
+            tracer_ = std::make_unique<PathTracer>(device, scene, shading, traversal, mostTiles_,
+                                                   work.request.parts);
+        } catch (const Error& error) {
+            // What is free is an estimate: other programs take memory too.
+            if (error.kind != ErrorKind::outOfMemory || mostTiles_ <= kLeastTiles) {
+                throw;
+            }
+            mostTiles_ = std::max(mostTiles_ / 2, kLeastTiles);
+        }
+    }
     start(noSums(work, 0));
 }
 
@@ -92,9 +115,9 @@ void DevicePathSampler::start(PathSums sums) {
         sums_ = std::move(sums);
         return;
     }
-    tracer_.start(work_.camera, work_.settings, work_.area, {0, tiles_}, sums.blockFirst);
+    tracer_->start(work_.camera, work_.settings, work_.area, {0, tiles_}, sums.blockFirst);
     if (hasSamples(sums.earlier) || hasSamples(sums.block)) {
-        tracer_.upload(sums.earlier, sums.block);
+        tracer_->upload(sums.earlier, sums.block);
     }
 }
 
@@ -107,12 +130,12 @@ void DevicePathSampler::setActive(std::vector<std::uint8_t> active) {
 
 bool DevicePathSampler::advanceTo(const std::uint32_t endSample, const TileRange tiles,
                                   const OnProgress& onProgress) {
-    const double first = tracer_.meanSamples();
-    while (tracer_.samples() < endSample) {
-        tracer_.advance(endSample, kBlockSamples, WorkSize::kTargetSeconds);
-        const double ofBand = (tracer_.meanSamples() - first) / (endSample - first);
+    const double first = tracer_->meanSamples();
+    while (tracer_->samples() < endSample) {
+        tracer_->advance(endSample, kBlockSamples, WorkSize::kTargetSeconds);
+        const double ofBand = (tracer_->meanSamples() - first) / (endSample - first);
         if (onProgress && !onProgress((tiles.first + ofBand * tiles.count()) / tiles_)) {
-            return tracer_.samples() == endSample && tiles.end == tiles_;
+            return tracer_->samples() == endSample && tiles.end == tiles_;
         }
     }
     return true;
@@ -120,13 +143,13 @@ bool DevicePathSampler::advanceTo(const std::uint32_t endSample, const TileRange
 
 bool DevicePathSampler::takeBand(const std::uint32_t endSample, const TileRange tiles, FilmData& block,
                                  const bool isBegun, const OnProgress& onProgress) {
-    tracer_.start(work_.camera, work_.settings, work_.area, tiles, sums_.blockFirst);
+    tracer_->start(work_.camera, work_.settings, work_.area, tiles, sums_.blockFirst);
     if (isBegun) {
-        tracer_.upload({}, block);
+        tracer_->upload({}, block);
     }
     const bool isWhole = advanceTo(endSample, tiles, onProgress);
     FilmData none;
-    tracer_.downloadSums(none, block, work_.request.groups);
+    tracer_->downloadSums(none, block, work_.request.groups);
     return isWhole;
 }
 
@@ -150,7 +173,7 @@ PathSums DevicePathSampler::sums() const {
         return sums_;
     }
     PathSums sums = noSums(work_, 0);
-    sums.blockFirst = tracer_.downloadSums(sums.earlier, sums.block);
+    sums.blockFirst = tracer_->downloadSums(sums.earlier, sums.block);
     return sums;
 }
 

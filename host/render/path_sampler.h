@@ -8,10 +8,16 @@
 #include "metamarch/shared/shading_scene.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace metamarch::render {
+
+// Returns how many tiles the device's film has: all of them, or as many as `mostTiles` and the free memory
+// allow. Half of that is left to the driver and to other programs.
+std::uint32_t tilesAtOnce(std::uint32_t tiles, std::uint32_t mostTiles, std::uint64_t freeBytes,
+                          std::uint64_t bytesOfTile);
 
 // The sums of an area's pixels in the middle of a block.
 struct PathSums {
@@ -75,11 +81,12 @@ class CpuPathSampler : public PathSampler {
     std::vector<std::uint8_t> active_; // none: all pixels are
 };
 
-// The film stays on the device. One that is too large for a buffer, or of which not all pixels take samples,
-// is in the host's memory, and each pass takes it to the device in bands.
+// The film stays on the device. One that is too large for a buffer or for the device's memory, or of which
+// not all pixels take samples, is in the host's memory, and each pass takes it to the device in bands.
 class DevicePathSampler : public PathSampler {
   public:
-    // Throws what the constructor of PathTracer throws.
+    // The film has bands of fewer tiles than `mostTiles` where the device's memory is short. Throws what the
+    // constructor of PathTracer throws.
     DevicePathSampler(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
                       const std::string& traversal, const PathWork& work,
                       std::uint32_t mostTiles = kMostTiles);
@@ -90,7 +97,7 @@ class DevicePathSampler : public PathSampler {
     bool take(std::uint32_t endSample, const OnProgress& onProgress) override;
     PathSums sums() const override;
 
-    const PathCounters& counters() const { return tracer_.counters(); }
+    const PathCounters& counters() const { return tracer_->counters(); }
 
     // Each of the buffers of their film is 112 MiB, within every device's maxStorageBufferRange.
     static constexpr std::uint32_t kMostTiles = 1u << 14u;
@@ -106,7 +113,7 @@ class DevicePathSampler : public PathSampler {
     PathWork work_;
     std::uint32_t tiles_;
     std::uint32_t mostTiles_;
-    PathTracer tracer_;
+    std::unique_ptr<PathTracer> tracer_;
     PathSums sums_;                    // if the film is in the host's memory
     std::vector<std::uint8_t> active_; // none: all pixels are
 };

@@ -52,6 +52,12 @@ std::vector<T> readTiles(const vulkan::Device& device, const vulkan::Buffer& buf
 
 } // namespace
 
+std::uint64_t PathTracer::bytesOfTile(const std::uint32_t parts) {
+    const std::uint64_t light = has(parts, kFilmLight) ? sizeof(LightParts) : 0;
+    const std::uint64_t hit = has(parts, kFilmHits) ? kBlockSamples * sizeof(std::uint32_t) : 0;
+    return kTilePixels * (2 * (sizeof(FilmPixel) + light) + hit);
+}
+
 PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                        const ShadingBuffers& shading, const std::string& usedTraversal,
                        const std::uint32_t mostTiles, const std::uint32_t usedParts,

@@ -34,6 +34,9 @@ class PathTracer {
     // The most surfaces of an invocation in one dispatch: enough for 16 samples of 64 surfaces.
     static constexpr std::uint32_t kFirstTurns = 1024;
 
+    // What each tile of a film with these parts takes of the device's memory.
+    static std::uint64_t bytesOfTile(std::uint32_t parts);
+
     // Allocates a film of `mostTiles` tiles on the device, with the parts kFilm… that `parts` names. A
     // `spirv` that is not empty replaces the embedded kernel. Throws Error(outOfMemory) if the film does not
     // fit.

@@ -8,6 +8,7 @@
 #include "metamarch/render/primary_renderer.h"
 #include "metamarch/render/surface_groups.h"
 #include "metamarch/render/traversal_choice.h"
+#include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>
 
@@ -258,6 +259,7 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
     RenderResult& result = render.result();
     static_cast<RenderPlace&>(result) = placeOn(scene, settings);
     result.seconds.upload = scene.uploadSeconds();
+    std::uint64_t spilled = 0;
     if (settings.isPrimary()) {
         render.drawPrimary([&](const OnProgress& onProgress) {
             DeviceRender drawn =
@@ -267,13 +269,20 @@ RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const
             result.submissions = drawn.submissions;
             return std::move(drawn.film.pixels);
         });
+        spilled = scene.device().memoryUse().spilled;
     } else {
         const PathWork work = render.work();
         DevicePathSampler sampler(scene.device(), scene.buffers(), scene.shading(), result.traversal, work);
         render.drawPaths(sampler, work);
+        spilled = scene.device().memoryUse().spilled; // with the film
         result.seconds.firstSubmission = sampler.counters().firstSeconds;
         result.seconds.device = sampler.counters().deviceSeconds;
         result.submissions = sampler.counters().submissions;
+    }
+    if (spilled > 0) {
+        result.warnings.push_back(fmt::format(
+            "{} find no place in the memory of {}; they lie in host memory, which it reads more slowly",
+            vulkan::byteText(spilled), scene.device().name()));
     }
     return render.finish();
 }

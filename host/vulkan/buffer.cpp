@@ -38,8 +38,10 @@ vk::BufferUsageFlags usageOf(BufferUse use) {
            Usage::eTransferDst;
 }
 
-// Returns the wanted memory properties, best first. Vulkan guarantees that a memory type with the last ones
-// exists.
+bool isMapped(BufferUse use) { return use == BufferUse::upload || use == BufferUse::readback; }
+
+// Returns the wanted memory properties, best first. Vulkan guarantees that a memory type with host memory
+// exists, and one that is device-local. A device also reads and writes host memory, only more slowly.
 std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
     using Memory = vk::MemoryPropertyFlagBits;
     const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
@@ -49,22 +51,30 @@ std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
     case BufferUse::readback:
         return {host | Memory::eHostCached, host};
     default:
-        return {Memory::eDeviceLocal};
+        return {Memory::eDeviceLocal, host};
     }
 }
 
-// Among equal memory types, Vulkan lists the faster one first.
-uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse use) {
+// Returns the types of memory that suit, best first. Among equal ones, Vulkan lists the faster one first.
+std::vector<uint32_t> memoryTypes(const Device& device, uint32_t allowedTypes, BufferUse use) {
+    // Types that take a feature which we do not enable.
+    constexpr vk::MemoryPropertyFlags kSpecial =
+        vk::MemoryPropertyFlagBits::eProtected | vk::MemoryPropertyFlagBits::eDeviceCoherentAMD;
     const vk::PhysicalDeviceMemoryProperties& memory = device.memoryProperties();
+    std::vector<uint32_t> types;
     for (const vk::MemoryPropertyFlags wish : memoryWishes(use)) {
         for (uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
-            if ((allowedTypes & (1u << type)) != 0 &&
-                (memory.memoryTypes[type].propertyFlags & wish) == wish) {
-                return type;
+            const vk::MemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
+            if ((allowedTypes & (1u << type)) != 0 && (has & wish) == wish && !(has & kSpecial) &&
+                std::ranges::find(types, type) == types.end()) {
+                types.push_back(type);
             }
         }
     }
-    throw Error(ErrorKind::noDevice, fmt::format("{}: no suitable memory for buffers", device.name()));
+    if (types.empty()) {
+        throw Error(ErrorKind::noDevice, fmt::format("{}: no suitable memory for buffers", device.name()));
+    }
+    return types;
 }
 
 [[noreturn]] void refuseSize(const Device& device, const std::string& buffer, uint64_t size,
@@ -76,12 +86,53 @@ uint32_t chooseMemoryType(const Device& device, uint32_t allowedTypes, BufferUse
 } // namespace
 
 struct Buffer::Handles {
+    explicit Handles(const Device& usedDevice) : device(usedDevice) {}
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+    ~Handles() {
+        device.memoryUse().ofHeap[heap] -= taken;
+        device.memoryUse().spilled -= spilled;
+    }
+
+    bool allocate(const vk::MemoryRequirements& needs, BufferUse use);
+
+    const Device& device;
     vk::raii::Buffer buffer = nullptr;
     vk::raii::DeviceMemory memory = nullptr; // freeing it also unmaps it
+    uint32_t heap = 0;
+    uint64_t taken = 0; // bytes of the heap
+    uint64_t spilled = 0;
 };
 
+// Takes the best memory that has room. Returns false if none has.
+bool Buffer::Handles::allocate(const vk::MemoryRequirements& needs, const BufferUse use) {
+    const bool addressed = static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
+    const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
+    const vk::PhysicalDeviceMemoryProperties& properties = device.memoryProperties();
+    for (const uint32_t type : memoryTypes(device, needs.memoryTypeBits, use)) {
+        const vk::MemoryType& found = properties.memoryTypes[type];
+        if (needs.size > properties.memoryHeaps[found.heapIndex].size) {
+            continue; // Vulkan forbids to ask for it
+        }
+        try {
+            memory = {device.handle(),
+                      vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
+        } catch (const vk::OutOfDeviceMemoryError&) {
+            continue;
+        }
+        const bool isHost = !(found.propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal);
+        heap = found.heapIndex;
+        taken = needs.size;
+        spilled = isHost && !isMapped(use) ? needs.size : 0;
+        device.memoryUse().ofHeap[heap] += taken;
+        device.memoryUse().spilled += spilled;
+        return true;
+    }
+    return false;
+}
+
 Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string name)
-    : name_(std::move(name)), size_(size), handles_(std::make_unique<Handles>()) {
+    : name_(std::move(name)), size_(size), handles_(std::make_unique<Handles>(device)) {
     const uint64_t largest = device.report().maxMemoryAllocationSize;
     if (size > largest) {
         refuseSize(device, name_, size,
@@ -92,21 +143,16 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
     try {
         buffer = {device.handle(), vk::BufferCreateInfo({}, size == 0 ? kLeastSize : size, usageOf(use))};
         const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
-        const uint32_t type = chooseMemoryType(device, needs.memoryTypeBits, use);
-        const uint64_t heapSize =
-            device.memoryProperties().memoryHeaps[device.memoryProperties().memoryTypes[type].heapIndex].size;
-        if (needs.size > heapSize) {
-            refuseSize(device, name_, size, fmt::format("is over the memory heap, {}", byteText(heapSize)));
+        if (!handles_->allocate(needs, use)) {
+            refuseSize(device, name_, size,
+                       fmt::format("does not fit into device memory, of which {} are free",
+                                   byteText(device.freeMemory())));
         }
-        const bool addressed =
-            static_cast<bool>(usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress);
-        const vk::MemoryAllocateFlagsInfo flags(vk::MemoryAllocateFlagBits::eDeviceAddress);
-        memory = {device.handle(), vk::MemoryAllocateInfo(needs.size, type, addressed ? &flags : nullptr)};
         buffer.bindMemory(*memory, 0);
-        if (addressed) {
+        if (usageOf(use) & vk::BufferUsageFlagBits::eShaderDeviceAddress) {
             address_ = device.handle().getBufferAddress(*buffer);
         }
-        if (use == BufferUse::upload || use == BufferUse::readback) {
+        if (isMapped(use)) {
             mapped_ = {static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE)), size};
         }
     } catch (const vk::OutOfDeviceMemoryError&) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <vulkan/vulkan_raii.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -80,6 +81,7 @@ struct Device::Handles {
     vk::raii::CommandPool commandPool;
     PipelineCache pipelineCache;
     CompiledKernels kernels;
+    MemoryUse memoryUse;
 };
 
 Device::Device(const Context& context, const std::string& selection, const PresentSupport& presents)
@@ -102,6 +104,31 @@ std::shared_ptr<const CompiledKernel> Device::compile(KernelSource source) const
 
 const vk::PhysicalDeviceMemoryProperties& Device::memoryProperties() const {
     return handles_->memoryProperties;
+}
+
+MemoryUse& Device::memoryUse() const { return handles_->memoryUse; }
+
+uint64_t Device::freeMemory() const {
+    const vk::PhysicalDeviceMemoryProperties& memory = memoryProperties();
+    uint32_t largest = 0;
+    uint64_t size = 0;
+    for (uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+        const vk::MemoryHeap& found = memory.memoryHeaps[heap];
+        if ((found.flags & vk::MemoryHeapFlagBits::eDeviceLocal) && found.size > size) {
+            largest = heap;
+            size = found.size;
+        }
+    }
+    uint64_t used = memoryUse().ofHeap[largest];
+    if (report_.hasMemoryBudget) {
+        const auto now = physicalDevice()
+                             .getMemoryProperties2<vk::PhysicalDeviceMemoryProperties2,
+                                                   vk::PhysicalDeviceMemoryBudgetPropertiesEXT>()
+                             .get<vk::PhysicalDeviceMemoryBudgetPropertiesEXT>();
+        size = std::min(size, now.heapBudget[largest]);
+        used = now.heapUsage[largest];
+    }
+    return size - std::min(used, size);
 }
 
 bool Device::waitIdle() const {

@@ -5,6 +5,7 @@
 #include "metamarch/vulkan/device_report.h"
 #include "metamarch/vulkan/handle_types.h"
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,12 @@ namespace metamarch::vulkan {
 
 struct CompiledKernel;
 struct KernelSource;
+
+// What the buffers of a device take of its memory, in bytes.
+struct MemoryUse {
+    std::array<uint64_t, VK_MAX_MEMORY_HEAPS> ofHeap{};
+    uint64_t spilled = 0; // of buffers that found no place in device-local memory
+};
 
 // Opens the device that `selection` names (see chooseDevice; empty: the best one). Enables no optional
 // feature except ray queries, if the device has them, and VK_KHR_swapchain with `presents`, for a window.
@@ -37,6 +44,10 @@ class Device {
     // See CompiledKernels.
     std::shared_ptr<const CompiledKernel> compile(KernelSource source) const;
     const vk::PhysicalDeviceMemoryProperties& memoryProperties() const;
+    MemoryUse& memoryUse() const; // each Buffer adds what it takes
+    // Bytes of the largest device-local heap that are probably free: what the driver grants this process, or,
+    // without VK_EXT_memory_budget, what our own buffers leave of the heap.
+    uint64_t freeMemory() const;
 
     // Waits until the device has no more work. Returns false if the device is lost.
     bool waitIdle() const;

@@ -143,8 +143,9 @@ DeviceReport reportDevice(const vk::raii::PhysicalDevice& physicalDevice, const 
         addVersion12Properties(report, physicalDevice);
     }
     addRayQuery(report, physicalDevice);
-    report.hasSwapchain =
-        lists(physicalDevice.enumerateDeviceExtensionProperties(), VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    const auto extensions = physicalDevice.enumerateDeviceExtensionProperties();
+    report.hasSwapchain = lists(extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    report.hasMemoryBudget = lists(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
     report.refusals = refusalsOf(report);
     return report;
 }

@@ -36,6 +36,7 @@ struct DeviceReport {
     uint32_t maxTexelBufferElements = 0;  // texels that one binding can see
     uint64_t maxMemoryAllocationSize = 0; // bytes of a single buffer
     uint64_t deviceLocalHeapSize = 0;     // bytes of the largest device-local heap
+    bool hasMemoryBudget = false;         // VK_EXT_memory_budget
     std::array<uint32_t, 3> maxComputeWorkGroupCount{};
     uint32_t maxComputeWorkGroupInvocations = 0;
     uint32_t maxComputeWorkGroupSizeX = 0;

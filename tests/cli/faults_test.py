@@ -77,6 +77,19 @@ class FaultsTest(ProgramTest):
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (TOO_LARGE, 1), done.stderr)
                 self.assertIn("does not fit into device memory", done.stderr)
 
+    def test_memory_that_is_short(self):
+        """The film shrinks to bands before it leaves the device. What finds no place there lies in host memory, and one line says so."""
+        large = ("render", CORNELL, "--quiet", "--size", "160x160", *SAMPLES, "-o")  # a film of twice 2.9 MB
+        self.succeed(*large, "plain.exr")
+        plain = (self.tmp / "plain.exr").read_bytes()
+        for faults, is_spilled in (("deviceHeap=4194304", False), ("fragmentedAbove=2500000", False),
+                                   ("deviceHeap=65536", True)):
+            with self.subTest(faults=faults):
+                done = self.run_with(faults, *large, "a.exr")
+                self.assertEqual((done.returncode, done.stderr.count("\n")), (0, int(is_spilled)), done.stderr)
+                self.assertEqual("in host memory" in done.stderr, is_spilled, done.stderr)
+                self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
+
 
 if __name__ == "__main__":
     main()

@@ -129,6 +129,14 @@ FilmData sumOf(const std::vector<FilmRun>& runs) {
     return sum.take();
 }
 
+TEST(TilesAtOnce, fillHalfOfTheFreeMemoryAtMost) {
+    EXPECT_EQ(render::tilesAtOnce(5000, 8192, 1u << 30, 1u << 14), 5000u); // all
+    EXPECT_EQ(render::tilesAtOnce(5000, 4096, 1u << 30, 1u << 14), 4096u);
+    EXPECT_EQ(render::tilesAtOnce(5000, 4096, 1u << 25, 1u << 14), 1024u); // 32 MiB free, 16 KiB a tile
+    EXPECT_EQ(render::tilesAtOnce(5000, 4096, 0, 1u << 14), 256u);         // worth a try
+    EXPECT_EQ(render::tilesAtOnce(100, 4096, 0, 1u << 14), 100u);
+}
+
 TEST(PathRun, anyDivisionOfTheSamplesHasTheSumsOfTheWhole) {
     for (std::uint32_t cut = 0; cut < 40; ++cut) {
         SCOPED_TRACE(cut);

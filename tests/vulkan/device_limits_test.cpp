@@ -54,5 +54,25 @@ TEST(DeviceLimits, moreGroupsThanADispatchHolds) {
     });
 }
 
+TEST(DeviceLimits, buffersCountWhatTheyTakeOfTheMemory) {
+    constexpr uint64_t kBytes = 1u << 20;
+    const auto sum = [] {
+        const auto& heaps = testDevice().memoryUse().ofHeap;
+        return std::accumulate(heaps.begin(), heaps.end(), uint64_t{0});
+    };
+    const uint64_t before = sum();
+    {
+        Buffer table(testDevice(), BufferUse::storage, kBytes, "table");
+        EXPECT_GE(sum(), before + kBytes);
+        const Buffer moved = std::move(table);
+        EXPECT_GE(sum(), before + kBytes);
+        EXPECT_LT(sum(), before + 2 * kBytes);
+    }
+    EXPECT_EQ(sum(), before);
+    EXPECT_EQ(testDevice().memoryUse().spilled, 0u);
+    EXPECT_GT(testDevice().freeMemory(), 0u);
+    EXPECT_LE(testDevice().freeMemory(), testDevice().report().deviceLocalHeapSize);
+}
+
 } // namespace
 } // namespace metamarch::vulkan

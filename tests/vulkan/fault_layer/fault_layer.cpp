@@ -28,10 +28,12 @@ constexpr const char* kFaults[] = {
     "texels",           // maxTexelBufferElements
     "workGroups",       // maxComputeWorkGroupCount of each dimension
     "allocation",       // maxMemoryAllocationSize, bytes
+    "deviceHeap",       // device-local memory has only so many bytes; host memory lies beside it
     "timestampBits",    // timestampValidBits of every queue family
     "stampsAreEqual",   // 1: all time stamps of a pool are the same
     "stampsWrap",       // 1: the counter passes 2^timestampBits between two stamps
     "lostAt",           // the device is lost at this submission, counted from 1
+    "fragmentedAbove",  // allocations of more bytes fail
     "memoryEndsAt",     // this allocation and all after it fail, counted from 1
     "acquireTimesOut",  // every nth image of a window comes too late
     "acquireOutOfDate", // every nth image is of a window that has changed
@@ -84,13 +86,17 @@ std::atomic<bool> isLost = false;
 void* keyOf(const void* const handle) { return *static_cast<void* const*>(handle); }
 
 // The functions of which this layer has its own.
-constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties", "vkGetPhysicalDeviceProperties2",
+constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties",
+                                        "vkGetPhysicalDeviceProperties2",
                                         "vkGetPhysicalDeviceQueueFamilyProperties",
+                                        "vkGetPhysicalDeviceMemoryProperties",
+                                        "vkGetPhysicalDeviceMemoryProperties2",
                                         "vkGetPhysicalDeviceSurfaceFormatsKHR",
                                         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR"};
-constexpr const char* kOfDevices[] = {"vkAllocateMemory",     "vkQueueSubmit",   "vkWaitForFences",
-                                      "vkDeviceWaitIdle",     "vkQueueWaitIdle", "vkGetQueryPoolResults",
-                                      "vkAcquireNextImageKHR"};
+constexpr const char* kOfDevices[] = {
+    "vkAllocateMemory", "vkFreeMemory",          "vkGetBufferMemoryRequirements",
+    "vkQueueSubmit",    "vkWaitForFences",       "vkDeviceWaitIdle",
+    "vkQueueWaitIdle",  "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
 
 // What lies below an instance or a device. The functions are asked for while it is made: later the loader may
 // answer with those of the topmost layer.
@@ -210,6 +216,101 @@ VKAPI_ATTR void VKAPI_CALL getQueueFamilies(const VkPhysicalDevice physical, std
     }
 }
 
+// ---------------------------------------------------------------- a device with little memory
+
+// With the fault deviceHeap a device has two types of memory in place of its own first one: local memory, and
+// host memory with the rest of the heap. Both are allocated from the first type.
+constexpr std::uint32_t kLocal = 0;
+constexpr std::uint32_t kHost = 1;
+
+struct LocalMemory {
+    std::mutex lock;
+    std::map<VkDeviceMemory, VkDeviceSize> allocations;
+    VkDeviceSize used = 0;
+};
+
+LocalMemory& localMemory() {
+    static LocalMemory memory;
+    return memory;
+}
+
+void divide(VkPhysicalDeviceMemoryProperties& memory) {
+    if (!has("deviceHeap")) {
+        return;
+    }
+    const VkMemoryHeap whole = memory.memoryHeaps[memory.memoryTypes[0].heapIndex];
+    memory = {};
+    memory.memoryTypeCount = 2;
+    memory.memoryTypes[kLocal] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, kLocal};
+    memory.memoryTypes[kHost] = {VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
+                                     VK_MEMORY_PROPERTY_HOST_CACHED_BIT,
+                                 kHost};
+    memory.memoryHeapCount = 2;
+    memory.memoryHeaps[kLocal] = {valueOf("deviceHeap"), VK_MEMORY_HEAP_DEVICE_LOCAL_BIT};
+    memory.memoryHeaps[kHost] = {whole.size, 0};
+}
+
+VKAPI_ATTR void VKAPI_CALL getMemory(const VkPhysicalDevice physical,
+                                     VkPhysicalDeviceMemoryProperties* const memory) {
+    next<PFN_vkGetPhysicalDeviceMemoryProperties>(physical, "vkGetPhysicalDeviceMemoryProperties")(physical,
+                                                                                                   memory);
+    divide(*memory);
+}
+
+VKAPI_ATTR void VKAPI_CALL getMemory2(const VkPhysicalDevice physical,
+                                      VkPhysicalDeviceMemoryProperties2* const memory) {
+    next<PFN_vkGetPhysicalDeviceMemoryProperties2>(physical, "vkGetPhysicalDeviceMemoryProperties2")(physical,
+                                                                                                     memory);
+    divide(memory->memoryProperties);
+    for (auto* part = static_cast<VkBaseOutStructure*>(memory->pNext); part != nullptr; part = part->pNext) {
+        if (has("deviceHeap") &&
+            part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT) {
+            auto* const budget = reinterpret_cast<VkPhysicalDeviceMemoryBudgetPropertiesEXT*>(part);
+            const std::lock_guard lock(localMemory().lock);
+            budget->heapBudget[kLocal] = valueOf("deviceHeap");
+            budget->heapUsage[kLocal] = localMemory().used;
+        }
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL getRequirements(const VkDevice device, const VkBuffer buffer,
+                                           VkMemoryRequirements* const requirements) {
+    next<PFN_vkGetBufferMemoryRequirements>(device, "vkGetBufferMemoryRequirements")(device, buffer,
+                                                                                     requirements);
+    if (has("deviceHeap")) {
+        requirements->memoryTypeBits = 1u << kLocal | 1u << kHost;
+    }
+}
+
+VkResult allocateDivided(const VkDevice device, VkMemoryAllocateInfo info,
+                         const VkAllocationCallbacks* const memory, VkDeviceMemory* const allocated) {
+    LocalMemory& local = localMemory();
+    const std::lock_guard lock(local.lock);
+    const bool isLocal = info.memoryTypeIndex == kLocal;
+    if (isLocal && local.used + info.allocationSize > valueOf("deviceHeap")) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
+    info.memoryTypeIndex = 0;
+    const VkResult result =
+        next<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, &info, memory, allocated);
+    if (isLocal && result == VK_SUCCESS) {
+        local.allocations[*allocated] = info.allocationSize;
+        local.used += info.allocationSize;
+    }
+    return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL freeMemory(const VkDevice device, const VkDeviceMemory freed,
+                                      const VkAllocationCallbacks* const memory) {
+    next<PFN_vkFreeMemory>(device, "vkFreeMemory")(device, freed, memory);
+    LocalMemory& local = localMemory();
+    const std::lock_guard lock(local.lock);
+    if (const auto found = local.allocations.find(freed); found != local.allocations.end()) {
+        local.used -= found->second;
+        local.allocations.erase(found);
+    }
+}
+
 // ---------------------------------------------------------------- memory, clocks, lost devices
 
 VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(const VkDevice device, const VkMemoryAllocateInfo* const info,
@@ -218,6 +319,12 @@ VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(const VkDevice device, const VkMem
     static std::atomic<std::uint64_t> allocations = 0;
     if (has("memoryEndsAt") && ++allocations >= valueOf("memoryEndsAt")) {
         return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
+    if (has("fragmentedAbove") && info->allocationSize > valueOf("fragmentedAbove")) {
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
+    if (has("deviceHeap")) {
+        return allocateDivided(device, *info, memory, allocated);
     }
     return next<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, memory, allocated);
 }
@@ -341,12 +448,16 @@ PFN_vkVoidFunction find(const char* const name, const bool isOfDevices) {
         entry("vkGetPhysicalDeviceProperties", getProperties),
         entry("vkGetPhysicalDeviceProperties2", getProperties2),
         entry("vkGetPhysicalDeviceQueueFamilyProperties", getQueueFamilies),
+        entry("vkGetPhysicalDeviceMemoryProperties", getMemory),
+        entry("vkGetPhysicalDeviceMemoryProperties2", getMemory2),
         entry("vkGetPhysicalDeviceSurfaceFormatsKHR", getSurfaceFormats),
         entry("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", getSurfaceCapabilities),
     };
     static const Entry ofDevices[] = {
         entry("vkGetDeviceProcAddr", deviceAddress),
         entry("vkAllocateMemory", allocateMemory),
+        entry("vkFreeMemory", freeMemory),
+        entry("vkGetBufferMemoryRequirements", getRequirements),
         entry("vkQueueSubmit", queueSubmit),
         entry("vkWaitForFences", waitForFences),
         entry("vkDeviceWaitIdle", deviceWaitIdle),
