@@ -37,6 +37,7 @@ inline constexpr auto kViewNames = std::to_array<ViewName>({
     {"leaf id", kViewLeafId, ViewReads::cells},
     {"cell borders", kViewCellBorders, ViewReads::cells},
     {"exit boxes", kViewExitBoxes, ViewReads::cells},
+    {"headlight", kViewHeadlight, ViewReads::materials},
 });
 
 } // namespace metamarch::render

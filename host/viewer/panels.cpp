@@ -155,6 +155,7 @@ void drawRenderer(ViewerState& state) {
     }
     drawTraversals(state);
     ImGui::Checkbox("denoise", &settings.isDenoised);
+    ImGui::Checkbox("preview while the camera moves", &settings.hasPreview);
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);
     }

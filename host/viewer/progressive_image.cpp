@@ -30,19 +30,20 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
     unresolved.clear();
     denoised.clear();
     channelSamples = 0;
-    const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
     if (request.view) {
+        const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
         if (!inspector) {
             inspector.emplace(device, scene.buffers(), scene.shading(), traversal, most.x * most.y,
                               shaders.find("inspect", traversal), shaders.find("cells", ""));
         }
         inspector->start(camera, *request.view, request.scaleMax);
-        return;
+    } else if (path) {
+        startPath();
     }
-    if (!path) {
-        const std::uint32_t tiles = render::Tiling(PixelRect{0, 0, most.x, most.y}).count;
-        path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
-    }
+}
+
+void ProgressiveImage::startPath() {
+    const Camera camera = makeCamera(request.camera, pictureSize.x, pictureSize.y, request.lens);
     secondsBefore = path->tracer.counters().deviceSeconds;
     path->tracer.start(camera, request.settings, {0, render::Tiling(camera).count});
 }
@@ -55,6 +56,11 @@ bool ProgressiveImage::advance(const double seconds) {
         clear();
         inspector->advance(seconds);
         return true;
+    }
+    if (!path) {
+        const std::uint32_t tiles = render::Tiling(PixelRect{0, 0, most.x, most.y}).count;
+        path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
+        startPath();
     }
     if (isFinished()) {
         return false;
@@ -72,14 +78,14 @@ void ProgressiveImage::clear() {
     }
 }
 
-bool ProgressiveImage::isWhole() const {
-    return request.view ? inspector->isWhole() : path->tracer.samples() > 0;
-}
+bool ProgressiveImage::isWhole() const { return request.view ? inspector->isWhole() : wholeSamples() > 0; }
 
-double ProgressiveImage::samples() const { return request.view ? 0.0 : path->tracer.meanSamples(); }
+double ProgressiveImage::samples() const { return request.view || !path ? 0.0 : path->tracer.meanSamples(); }
 
 double ProgressiveImage::seconds() const {
-    return request.view ? inspector->deviceSeconds() : path->tracer.counters().deviceSeconds - secondsBefore;
+    return request.view ? inspector->deviceSeconds()
+           : path       ? path->tracer.counters().deviceSeconds - secondsBefore
+                        : 0.0;
 }
 
 void ProgressiveImage::setTone(const ToneMapping& toneMapping) {
@@ -118,7 +124,7 @@ void ProgressiveImage::setDenoiser(const Denoiser* const usedDenoiser) {
 }
 
 void ProgressiveImage::update() {
-    if (request.view) {
+    if (request.view || !path) {
         return;
     }
     const std::uint32_t samples = wholeSamples();
@@ -155,6 +161,9 @@ void ProgressiveImage::writeChannel() {
 bool ProgressiveImage::isFinished() const { return path->tracer.samples() >= request.endSample; }
 
 void ProgressiveImage::record(vulkan::Commands& commands) {
+    if (!hasPicture()) {
+        return;
+    }
     if (isToClear) {
         commands.fill(picture(), 0);
         isToClear = false;

@@ -24,6 +24,7 @@ struct RenderRequest {
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
     float scaleMax = 1.0f;             // for the view: InspectPush::scaleMax
     std::uint32_t endSample = 1;       // for the path tracer: samples of each pixel
+    bool hasPreview = false;           // the view `headlight` is shown until the path tracer has begun
 };
 
 class ProgressiveImage {
@@ -32,7 +33,8 @@ class ProgressiveImage {
     ProgressiveImage(const vulkan::Device& device, const render::DeviceScene& scene,
                      const std::string& traversal, glm::uvec2 most, const ShaderOverrides& shaders);
 
-    // Begins a new, empty picture of `size` pixels.
+    // Begins a new, empty picture of `size` pixels. The path tracer's kernel is created by the first
+    // advance(), because that takes a driver long.
     void start(const RenderRequest& request, glm::uvec2 size);
 
     // Continues the picture in one submission of about `seconds`. Returns false, and submits nothing, if the
@@ -44,7 +46,7 @@ class ProgressiveImage {
     // For the path tracer: samples() is the mean number over the pixels, wholeSamples() the number that every
     // pixel has.
     double samples() const;
-    std::uint32_t wholeSamples() const { return path->tracer.samples(); }
+    std::uint32_t wholeSamples() const { return path ? path->tracer.samples() : 0; }
     // The time that the device has spent since start().
     double seconds() const;
 
@@ -62,7 +64,9 @@ class ProgressiveImage {
     // Brings picture() up to date with what advance() has done.
     void record(vulkan::Commands& commands);
 
+    // Only for a view, or after the first advance().
     const vulkan::Buffer& picture() const;
+    bool hasPicture() const { return request.view ? inspector.has_value() : path.has_value(); }
     glm::uvec2 size() const { return pictureSize; }
 
     // The path tracer's counters since its construction; null if it has never run.
@@ -84,6 +88,7 @@ class ProgressiveImage {
         render::Resolver resolver;
     };
 
+    void startPath();
     void clear();
     bool isFinished() const;
     bool showsDenoised() const {

@@ -403,6 +403,7 @@ class Viewer {
             mediaAt(*state.scene->shown.structure, *state.scene->shown.shading, request.camera.eye);
         request.view = state.settings.view;
         request.endSample = state.settings.samples;
+        request.hasPreview = state.settings.hasPreview;
         request.scaleMax =
             request.view && !isHeatMap(*request.view) ? farthestCorner() : state.settings.heatMax;
         return request;

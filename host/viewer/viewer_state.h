@@ -38,6 +38,7 @@ struct Settings {
     float splitAt = 0.5f;        // the split line's place, as a fraction of the window's width
     ToneMapping tone;
     bool isDenoised = false;
+    bool hasPreview = true;    // while the camera moves
     std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
     std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;

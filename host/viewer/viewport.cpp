@@ -45,7 +45,11 @@ Viewport::Viewport(const vulkan::Device& usedDevice, const render::DeviceScene& 
                    const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
     : device(usedDevice), name(traversal), fineSize(fittingSize(usedDevice, size)),
       coarse(usedDevice, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
-      fine(usedDevice, scene, traversal, fineSize, shaders) {}
+      sharp(usedDevice, scene, traversal, fineSize, shaders),
+      fine(usedDevice, scene, traversal, fineSize, shaders),
+      presenting(render::makeKernel(usedDevice, "present",
+                                    {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
+                                     .pushConstantSize = sizeof(PresentPush)})) {}
 
 void Viewport::start(const RenderRequest& request, const double seconds) {
     const double pixels = static_cast<double>(fineSize.x) * fineSize.y;
@@ -56,9 +60,13 @@ void Viewport::start(const RenderRequest& request, const double seconds) {
                                                                 : *fitting;
     RenderRequest quick = request;
     quick.endSample = 1;
+    hasPreview = request.hasPreview && !request.view;
+    if (hasPreview) {
+        quick.view = kViewHeadlight;
+        sharp.start(quick, fineSize);
+    }
     coarse.start(quick, divided(fineSize, by));
     fine.start(request, fineSize);
-    isView = request.view.has_value();
 }
 
 void Viewport::setTone(const ToneMapping& toneMapping) {
@@ -68,7 +76,7 @@ void Viewport::setTone(const ToneMapping& toneMapping) {
 
 bool Viewport::advance(const double seconds) {
     if (coarse.isWhole()) {
-        return fine.advance(seconds);
+        return (hasPreview && sharp.advance(seconds)) || fine.advance(seconds);
     }
     coarse.advance(seconds);
     if (coarse.isWhole() && coarse.seconds() > 0.0) {
@@ -77,30 +85,22 @@ bool Viewport::advance(const double seconds) {
     return true;
 }
 
-vulkan::ComputePipeline& Viewport::presenting() {
-    std::optional<vulkan::ComputePipeline>& pipeline = isView ? presentView : presentPath;
-    if (!pipeline) {
-        pipeline = render::makeKernel(device, "present",
-                                      {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
-                                       .pushConstantSize = sizeof(PresentPush)});
-        pipeline->bind(kBindInput, fine.picture());
-        pipeline->bind(kBindCoarse, coarse.picture());
-    }
-    return *pipeline;
-}
-
 void Viewport::record(vulkan::Commands& commands, const Screen& screen, const std::uint32_t first,
                       const std::uint32_t end) {
     coarse.record(commands);
+    sharp.record(commands);
     fine.record(commands);
-    if (first >= end) {
+    const ProgressiveImage& lower = hasPreview && sharp.isWhole() ? sharp : coarse;
+    const ProgressiveImage& upper = hasPreview && !sharp.isWhole() ? sharp : fine.hasPicture() ? fine : lower;
+    if (first >= end || !lower.hasPicture()) {
         return;
     }
-    vulkan::ComputePipeline& pipeline = presenting();
-    pipeline.bind(kBindOutput, screen.pixels);
-    commands.dispatch(pipeline, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
-                      PresentPush{screen.size.x, screen.size.y, first, end, fine.size().x, fine.size().y,
-                                  coarse.size().x, coarse.size().y, screen.isBlueFirst ? 1u : 0u});
+    presenting.bind(kBindInput, upper.picture());
+    presenting.bind(kBindCoarse, lower.picture());
+    presenting.bind(kBindOutput, screen.pixels);
+    commands.dispatch(presenting, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
+                      PresentPush{screen.size.x, screen.size.y, first, end, upper.size().x, upper.size().y,
+                                  lower.size().x, lower.size().y, screen.isBlueFirst ? 1u : 0u});
 }
 
 } // namespace metamarch::viewer

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Shows the scene with one traversal at the window's size: first a coarse picture, then a fine one.
+// Shows the scene with one traversal at the window's size: first a coarse picture, then a fine one. With a
+// preview, the coarse picture and a sharp one between the two are of the view `headlight`, which has no
+// noise.
 #pragma once
 #include "metamarch/viewer/progressive_image.h"
 #include "metamarch/viewer/screen.h"
@@ -36,18 +38,14 @@ class Viewport {
     const ProgressiveImage& coarseImage() const { return coarse; }
 
   private:
-    vulkan::ComputePipeline& presenting();
-
     const vulkan::Device& device;
     std::string name;
     glm::uvec2 fineSize;
     ProgressiveImage coarse;
+    ProgressiveImage sharp; // the preview at the size of the fine picture
     ProgressiveImage fine;
-    // The kernel `present`, bound to the path tracer's pictures and to the views'; each is created on first
-    // use.
-    std::optional<vulkan::ComputePipeline> presentPath;
-    std::optional<vulkan::ComputePipeline> presentView;
-    bool isView = false;
+    vulkan::ComputePipeline presenting; // the kernel `present`
+    bool hasPreview = false;
     double secondsPerPixel = 0.0; // of the last whole coarse picture; 0: there was none
 };
 

@@ -73,10 +73,14 @@ SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Came
     }
     const MaterialRecord record = loadMaterial(SCENE surface.material);
     const TexturePoint at = finestPoint(SCENE surface, weights);
+    const vec3 albedo = baseColorOf(SCENE record, vertexColor(SCENE surface, weights), at);
     if (push.view == kViewAlbedo) {
-        return packedLinear(baseColorOf(SCENE record, vertexColor(SCENE surface, weights), at));
+        return packedLinear(albedo);
     }
     const SurfaceFrame frame = surfaceFrame(SCENE record, surface, weights, at, normal, -found.view.dir);
+    if (push.view == kViewHeadlight) {
+        return packedLinear(shadedColor(albedo, dotProduct(frame.normal, found.view.dir)));
+    }
     return packedPixel(frame.normal * 0.5f + vec3(0.5f));
 }
 

@@ -22,6 +22,8 @@ const uint kViewMaterialId = 8u;
 const uint kViewLeafId = 9u;
 const uint kViewCellBorders = 10u; // lattice planes, and where they divide leaves
 const uint kViewExitBoxes = 11u;   // exit boxes of leaves
+// The surface under a lamp at the eye: what a window shows while its camera moves.
+const uint kViewHeadlight = 12u;
 
 struct InspectPush {
     uint firstPlace;
