@@ -15,6 +15,11 @@ namespace {
 
 void frameSelected(ViewerState& state) {
     if (!state.selected) {
+        if (const std::optional<std::size_t> step = state.shownStep()) {
+            state.camera = framing(
+                worldBox(state.scene->shown.structure->lattice, state.march->log.steps[*step].exitBox),
+                state.aspect(), state.camera);
+        }
         return;
     }
     const Scene& shown = *state.scene->shown.scene;
@@ -74,7 +79,16 @@ void moveTime(ViewerState& state, const double seconds) {
     time = std::clamp(time.value_or(0.0) + seconds, 0.0, length);
 }
 
+int stepsOf(const ViewerState& state) { return static_cast<int>(state.march->log.steps.size()); }
+
 void togglePlay(ViewerState& state) {
+    if (state.march) {
+        state.isMarchPlaying = !state.isMarchPlaying;
+        if (state.isMarchPlaying && state.marchStep >= stepsOf(state)) {
+            state.marchStep = 0; // it has ended: play it again
+        }
+        return;
+    }
     Playback& playback = state.playback;
     const double length = state.scene->whole->animationSeconds();
     playback.isPlaying = !playback.isPlaying && length > 0.0;
@@ -82,6 +96,16 @@ void togglePlay(ViewerState& state) {
         state.say("the scene has no animation");
     } else if (playback.isPlaying && state.settings.import.time.value_or(0.0) >= length) {
         state.settings.import.time = 0.0; // it has ended: play it again
+    }
+}
+
+// By one step of the march, if there is one, otherwise by one frame of the animations.
+void moveOn(ViewerState& state, const int by) {
+    if (state.march) {
+        state.marchStep = std::clamp(state.marchStep + by, 0, stepsOf(state));
+        state.isMarchPlaying = false;
+    } else {
+        moveTime(state, by * Playback::kFrame);
     }
 }
 
@@ -161,10 +185,10 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         togglePlay(state);
         return true;
     case Action::nextFrame:
-        moveTime(state, Playback::kFrame);
+        moveOn(state, 1);
         return true;
     case Action::previousFrame:
-        moveTime(state, -Playback::kFrame);
+        moveOn(state, -1);
         return true;
     case Action::nextCamera:
         nextCamera(state);
@@ -185,6 +209,7 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         settings.hasPanels = !settings.hasPanels;
         return true;
     case Action::printCamera:
+    case Action::saveMarch:
     case Action::saveScreenshot:
     case Action::saveWindow:
     case Action::saveExr:

@@ -30,7 +30,7 @@ constexpr KeyHelp kHelp[] = {
     {"Ctrl+click", "focus there, with a lens"},
     {"Alt+click, M", "march the ray there, step by step"},
     {"Esc", "forget what is picked, and the march"},
-    {"Home, F", "frame all, or what is picked"},
+    {"Home, F", "frame all; what is picked, or the step"},
     {"Enter", "the first view"},
     {"1 3 7, Ctrl", "from the front, right, top; the opposite"},
     {"Ctrl+Z, Ctrl+Shift+Z", "the view before, and back"},
@@ -42,10 +42,11 @@ constexpr KeyHelp kHelp[] = {
     {"X", "split: two traversals side by side"},
     {", .", "field of view"},
     {"- =", "exposure"},
-    {"Space", "play the animations, or pause"},
-    {"Left Right", "a 24th of a second back or on"},
+    {"Space", "play the march, or else the animations; pause"},
+    {"Left Right", "a step of the march, or else a 24th of a second, back or on"},
     {"P, Shift+P", "save the picture (PNG); all that the window shows"},
     {"Ctrl+S", "save the film (EXR)"},
+    {"Ctrl+P", "save each step of the march (PNG)"},
     {"R", "read the file again"},
     {"Tab", "panels"},
     {"F1, ?", "these keys"},
@@ -60,6 +61,12 @@ glm::vec3 pointUnder(const ViewerState& state, const glm::vec2 place) {
     }
     const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
     return view.origin + view.dir * glm::length(state.camera.target - state.camera.eye);
+}
+
+void march(const glm::vec2 place, ViewerState& state) {
+    state.march = marchThrough(*state.scene, state.traced(), place);
+    state.marchStep = 0;
+    state.isMarchPlaying = false;
 }
 
 float diagonal(const ViewerState& state) {
@@ -94,8 +101,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
     if (!panels.WantTextInput) {
         for (const KeyPress& press : input.keys) {
             if (press.key == GLFW_KEY_M && !press.isRepeat) {
-                state.march = marchThrough(*state.scene, state.traced(), cursor);
-                state.marchStep = 0;
+                march(cursor, state);
             }
         }
         fly(window, seconds, state);
@@ -152,8 +158,7 @@ void Controls::drag(const glm::vec2 cursor, ViewerState& state) {
 
 void Controls::click(const glm::vec2 place, const int modifiers, ViewerState& state) const {
     if (modifiers & GLFW_MOD_ALT) {
-        state.march = marchThrough(*state.scene, state.traced(), place);
-        state.marchStep = 0;
+        march(place, state);
         return;
     }
     const std::optional<Pick> found = pick(*state.scene, state.traced(), place);
@@ -176,6 +181,9 @@ void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
         switch (press.key) {
         case GLFW_KEY_Q:
             actions.push_back(Action::quit);
+            break;
+        case GLFW_KEY_P:
+            actions.push_back(Action::saveMarch);
             break;
         case GLFW_KEY_S:
             actions.push_back(Action::saveExr);

@@ -3,7 +3,9 @@
 
 #include "metamarch/render/view_names.h"
 #include "metamarch/shared/false_color.h"
+#include "metamarch/viewer/march_story.h"
 #include "metamarch/viewer/projection.h"
+#include "metamarch/viewer/walk_diagram.h"
 
 #include <fmt/format.h>
 
@@ -19,12 +21,23 @@ namespace {
 
 constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 150);
+constexpr ImU32 kStoryShade = IM_COL32(10, 12, 16, 225);
 constexpr ImU32 kPicked = IM_COL32(255, 210, 60, 255);
-constexpr ImU32 kRay = IM_COL32(255, 255, 255, 230);
-constexpr ImU32 kEmptyLeaf = IM_COL32(90, 170, 255, 200); // a leaf without triangles
-constexpr ImU32 kFullLeaf = IM_COL32(255, 150, 60, 230);  // a leaf whose triangles were tested
-constexpr ImU32 kExitBox = IM_COL32(120, 255, 140, 200);  // the box that the ray may cross after the leaf
-constexpr ImU32 kHit = IM_COL32(255, 60, 90, 255);
+
+struct MarchColor {
+    const char* name;
+    ImU32 color;
+};
+// [MarchPart]
+constexpr MarchColor kMarchColors[kMarchParts] = {
+    {"the ray", IM_COL32(255, 255, 255, 230)},
+    {"its cell", IM_COL32(120, 255, 140, 230)},
+    {"box of an empty leaf", IM_COL32(90, 170, 255, 200)},
+    {"box of a leaf with triangles", IM_COL32(255, 150, 60, 230)},
+    {"exit, and the next cell", IM_COL32(205, 130, 255, 230)},
+    {"hit", IM_COL32(255, 60, 90, 255)},
+};
+constexpr std::uint32_t kSolidAlpha = 110; // of a box's faces, of 255
 
 ImVec2 at(const glm::vec2 place) { return {place.x, place.y}; }
 
@@ -78,30 +91,144 @@ void drawPick(Painter& painter, const Pick& picked) {
     painter.dot(picked.position, kPicked, 3.0f);
 }
 
-// Draws one step: the cell that was looked up, its leaf's exit box, and the point where the step begins.
-void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march, const MarchStep& step,
-              const bool isChosen) {
-    const ImU32 leafColor = step.triangleCount > 0 ? kFullLeaf : kEmptyLeaf;
-    painter.box(worldBox(lattice, step.exitBox), isChosen ? kExitBox : leafColor, isChosen ? 2.0f : 1.0f);
-    painter.box(worldBox(lattice, {step.cell, step.cell + 1}), leafColor, isChosen ? 2.5f : 1.5f);
-    painter.dot(march.origin + march.dir * step.tNear, leafColor, isChosen ? 5.0f : 3.0f);
+ImU32 colorOf(const MarchStep& step) {
+    return marchColor(step.triangleCount > 0 ? MarchPart::fullLeaf : MarchPart::emptyLeaf);
 }
 
-void drawMarch(Painter& painter, const ViewerState& state) {
+// Draws one step among all: the cell that was looked up, its leaf's exit box, and the point where the step
+// begins.
+void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march, const MarchStep& step) {
+    painter.box(worldBox(lattice, step.exitBox), colorOf(step), 1.0f);
+    painter.box(worldBox(lattice, {step.cell, step.cell + 1}), colorOf(step), 1.5f);
+    painter.dot(march.origin + march.dir * step.tNear, colorOf(step), 3.0f);
+}
+
+// Fills the parts of the faces that no surface hides.
+void fillBox(const std::vector<SolidPart>& parts, const ImU32 color) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    const ImVec4 base = ImGui::ColorConvertU32ToFloat4(color);
+    for (const SolidPart& part : parts) {
+        const ImU32 lit = ImGui::ColorConvertFloat4ToU32(
+            {base.x * part.light, base.y * part.light, base.z * part.light, 0.0f});
+        list.PrimReserve(6, 4);
+        const auto first = static_cast<ImDrawIdx>(list._VtxCurrentIdx);
+        for (const int corner : {0, 1, 2, 0, 2, 3}) {
+            list.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
+        }
+        for (const SolidPoint& point : part.corners) {
+            list.PrimWriteVtx(at(point.place), white,
+                              lit | (point.isSeen ? kSolidAlpha << IM_COL32_A_SHIFT : 0u));
+        }
+    }
+}
+
+// Hidden parts of edges are faint.
+void drawEdges(const std::vector<SolidEdge>& edges, const ImU32 color) {
+    constexpr ImU32 kFaint = 50u << IM_COL32_A_SHIFT;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const SolidEdge& edge : edges) {
+        list.AddLine(at(edge.ends[0]), at(edge.ends[1]),
+                     edge.isSeen ? color : (color & ~IM_COL32_A_MASK) | kFaint, edge.isSeen ? 1.5f : 1.0f);
+    }
+}
+
+// Brings the box of the step up to date with camera, window and scene.
+void followBox(ViewerState& state, const Camera& camera, const Bounds& box) {
+    ShownBox& shown = state.shownBox;
+    if (shown.scene == state.scene.get() && shown.camera == state.camera && shown.size == state.size &&
+        shown.box.lo == box.lo && shown.box.hi == box.hi) {
+        return;
+    }
+    shown = {state.scene.get(), state.camera, state.size, box, solidBox(*state.scene, camera, box)};
+}
+
+// Draws the only step: the leaf's box, the cell, the exit and the next cell.
+void drawChosenStep(Painter& painter, const Camera& camera, ViewerState& state, const std::size_t index) {
     const FrozenMarch& march = *state.march;
     const Lattice& lattice = state.scene->shown.structure->lattice;
+    const MarchStep& step = march.log.steps[index];
+    const Bounds box = worldBox(lattice, step.exitBox);
+    followBox(state, camera, box);
+    fillBox(state.shownBox.solid.parts, colorOf(step));
+    drawEdges(state.shownBox.solid.edges, colorOf(step));
+    painter.box(worldBox(lattice, {step.cell, step.cell + 1}), marchColor(MarchPart::cell), 2.5f);
+    painter.dot(march.origin + march.dir * step.tNear, marchColor(MarchPart::cell), 4.0f);
+    if (step.isFinal) {
+        return;
+    }
+    if (index + 1 < march.log.steps.size()) {
+        const ivec3 next = march.log.steps[index + 1].cell;
+        painter.box(worldBox(lattice, {next, next + 1}), marchColor(MarchPart::exit), 1.5f);
+    }
+    painter.dot(march.origin + march.dir * step.tFar, marchColor(MarchPart::exit), 4.0f);
+}
+
+// Places the names of a march's colours in lines of `width` from `corner` on, and draws them if there is a
+// list. Returns their height.
+float legendOf(const glm::vec2 corner, const float width, ImDrawList* const list) {
+    const float text = ImGui::GetFontSize();
+    glm::vec2 place(0.0f);
+    for (int i = 0; i < kMarchParts; ++i) {
+        const auto part = static_cast<MarchPart>(i);
+        const float needed = ImGui::CalcTextSize(nameOf(part)).x + 1.1f * text;
+        if (place.x > 0.0f && place.x + needed > width) {
+            place = {0.0f, place.y + 1.3f * text};
+        }
+        const glm::vec2 from = corner + place;
+        if (list != nullptr) {
+            list->AddRectFilled(at(from), at(from + 0.8f * text), marchColor(part));
+            list->AddText(at(from + glm::vec2(1.1f * text, -0.1f * text)), kInk, nameOf(part));
+        }
+        place.x += needed + 1.1f * text;
+    }
+    return place.y + 1.3f * text;
+}
+
+// Says above the window's lower edge what the step does, and what the colours mean.
+void drawStory(const ViewerState& state, const std::size_t index) {
+    const MarchLog& log = state.march->log;
+    const std::string told =
+        fmt::format("Step {} of {}. {}", index + 1, log.steps.size(), sentenceOf(log, index));
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float text = ImGui::GetFontSize();
+    const float width = std::min(static_cast<float>(state.size.x) - 2.0f * text, 70.0f * text);
+    const ImVec2 size = ImGui::CalcTextSize(told.c_str(), nullptr, false, width);
+    const float below = legendOf({}, width, nullptr);
+    const glm::vec2 corner(0.5f * (static_cast<float>(state.size.x) - width),
+                           static_cast<float>(state.size.y) - size.y - below - 1.6f * text);
+    list.AddRectFilled(at(corner - 0.5f * text),
+                       at(corner + glm::vec2(width + 0.5f * text, size.y + below + 0.9f * text)), kStoryShade,
+                       4.0f);
+    list.AddText(ImGui::GetFont(), text, at(corner), kInk, told.c_str(), nullptr, width);
+    legendOf(corner + glm::vec2(0.0f, size.y + 0.6f * text), width, &list);
+}
+
+void drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
+    const FrozenMarch& march = *state.march;
     const std::vector<MarchStep>& steps = march.log.steps;
-    const bool isHit = march.log.result.hit.triangleId != kNoTriangle;
-    const float end = isHit ? steps.back().best.t : steps.empty() ? lattice.extent : steps.back().tFar;
-    painter.line(march.origin, march.origin + march.dir * end, kRay, 2.0f);
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const bool isChosen = static_cast<int>(i) + 1 == state.marchStep;
-        if (state.marchStep == 0 || isChosen) {
-            drawStep(painter, lattice, march, steps[i], isChosen);
+    const std::optional<std::size_t> chosen = state.shownStep();
+    const bool isHit = march.log.result.hit.triangleId != kNoTriangle && (!chosen || steps[*chosen].isFinal);
+    const Lattice& lattice = state.scene->shown.structure->lattice;
+    const float end = isHit           ? steps.back().best.t
+                      : chosen        ? steps[*chosen].tFar
+                      : steps.empty() ? lattice.extent
+                                      : steps.back().tFar;
+    if (chosen) {
+        drawChosenStep(painter, camera, state, *chosen);
+    }
+    painter.line(march.origin, march.origin + march.dir * end, marchColor(MarchPart::ray), 2.0f);
+    if (!chosen) {
+        for (const MarchStep& step : steps) {
+            drawStep(painter, lattice, march, step);
         }
     }
     if (isHit) {
-        painter.dot(march.origin + march.dir * end, kHit, 5.0f);
+        painter.dot(march.origin + march.dir * end, marchColor(MarchPart::hit), 5.0f);
+    }
+    if (chosen) {
+        drawStory(state, *chosen);
+        drawWalkDiagram(state);
     }
 }
 
@@ -148,6 +275,10 @@ void drawSplit(const ViewerState& state) {
 
 } // namespace
 
+const char* nameOf(const MarchPart part) { return kMarchColors[static_cast<std::size_t>(part)].name; }
+
+std::uint32_t marchColor(const MarchPart part) { return kMarchColors[static_cast<std::size_t>(part)].color; }
+
 void drawMessages(const ViewerState& state) {
     // The tests of the viewer compare pictures without messages.
     static const char* const wanted = std::getenv("METAMARCH_MESSAGE_SECONDS");
@@ -168,14 +299,14 @@ void drawMessages(const ViewerState& state) {
     }
 }
 
-void drawOverlay(const ViewerState& state) {
+void drawOverlay(ViewerState& state) {
     const Camera camera = state.traced();
     Painter painter(camera);
     if (state.selected) {
         drawPick(painter, *state.selected);
     }
     if (state.march) {
-        drawMarch(painter, state);
+        drawMarch(painter, camera, state);
     }
     if (state.hasSplit()) {
         drawSplit(state);

@@ -4,10 +4,18 @@
 #pragma once
 #include "metamarch/viewer/viewer_state.h"
 
+#include <cstdint>
+
 namespace metamarch::viewer {
 
+// What is drawn of a march, each with a colour of its own.
+enum class MarchPart { ray, cell, emptyLeaf, fullLeaf, exit, hit };
+inline constexpr int kMarchParts = 6;
+const char* nameOf(MarchPart part);
+std::uint32_t marchColor(MarchPart part); // as Dear ImGui's ImU32
+
 // Call it within a frame of Dear ImGui, and only with a scene.
-void drawOverlay(const ViewerState& state);
+void drawOverlay(ViewerState& state);
 
 // Says what the window waits for. Call it within a frame of Dear ImGui.
 void drawBusy(const ViewerState& state);

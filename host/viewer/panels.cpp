@@ -4,6 +4,7 @@
 #include "metamarch/render/view_names.h"
 #include "metamarch/viewer/channel_picture.h"
 #include "metamarch/viewer/controls.h"
+#include "metamarch/viewer/overlay.h"
 #include "metamarch/vulkan/byte_text.h"
 
 #include <fmt/format.h>
@@ -352,17 +353,20 @@ void drawMarchLog(ViewerState& state) {
     ImGui::SliderInt("step", &state.marchStep, 0, count, state.marchStep == 0 ? "all" : "%d", kTypedWithin);
     if (state.marchStep > 0 && state.marchStep <= count) {
         const MarchStep& step = log.steps[static_cast<std::size_t>(state.marchStep) - 1];
-        const glm::ivec3 size = step.exitBox.hi - step.exitBox.lo;
-        line(fmt::format("cell {} {} {} is of leaf {}", step.cell.x, step.cell.y, step.cell.z, step.leafId));
-        line(fmt::format("{} of {} triangles tested", step.tests, step.triangleCount));
-        line(fmt::format("exit box of {} x {} x {} cells", size.x, size.y, size.z));
         line(fmt::format("t {:.5g} to {:.5g}{}", step.tNear, step.tFar, step.isFinal ? ", the last" : ""));
     }
-    ImGui::TextColored({0.35f, 0.67f, 1.0f, 1.0f}, "empty leaf");
+    for (int i = 0; i < kMarchParts; ++i) {
+        const auto part = static_cast<MarchPart>(i);
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(marchColor(part)), "%s", nameOf(part));
+    }
+    if (ImGui::Button(state.isMarchPlaying ? "pause##march" : "play##march")) {
+        state.actions.push_back(Action::togglePlay);
+    }
     ImGui::SameLine();
-    ImGui::TextColored({1.0f, 0.59f, 0.24f, 1.0f}, "leaf with triangles");
+    if (ImGui::Button("save the steps")) {
+        state.actions.push_back(Action::saveMarch);
+    }
     ImGui::SameLine();
-    ImGui::TextColored({0.47f, 1.0f, 0.55f, 1.0f}, "exit box of the step");
     if (ImGui::Button("remove")) {
         state.march.reset();
     }

@@ -34,7 +34,9 @@ std::optional<Pick> pick(const LoadedScene& scene, const Camera& camera, const g
 
 FrozenMarch marchThrough(const LoadedScene& scene, const Camera& camera, const glm::vec2 place) {
     const CameraRay view = cameraRayThrough(camera, place, vec2(0.0f));
-    return {view.origin, view.dir, logMarch(*scene.shown.structure, rayThrough(scene, camera, place))};
+    const Ray ray = rayThrough(scene, camera, place);
+    return {view.origin, view.dir, logMarch(*scene.shown.structure, ray),
+            logWalk(*scene.shown.structure, ray)};
 }
 
 } // namespace metamarch::viewer

@@ -2,6 +2,7 @@
 // Finds what is under a pixel of the window, on the CPU, with the judge.
 #pragma once
 #include "metamarch/reference/march_log.h"
+#include "metamarch/reference/walk_log.h"
 #include "metamarch/shared/camera.h"
 #include "metamarch/viewer/scene_loader.h"
 
@@ -29,11 +30,13 @@ Ray rayThrough(const LoadedScene& scene, const Camera& camera, glm::vec2 place);
 // Returns the hit of rayThrough(), or nothing if the ray hits no triangle.
 std::optional<Pick> pick(const LoadedScene& scene, const Camera& camera, glm::vec2 place);
 
-// A ray and its march. The ray stays where it is while the camera moves, so that it can be looked at.
+// A ray, its march, and the stack traversal of the same ray. The ray stays where it is while the camera
+// moves, so that it can be looked at.
 struct FrozenMarch {
     glm::vec3 origin;
     glm::vec3 dir; // of unit length
     MarchLog log;
+    WalkLog walk;
 };
 FrozenMarch marchThrough(const LoadedScene& scene, const Camera& camera, glm::vec2 place);
 

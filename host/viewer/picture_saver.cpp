@@ -80,10 +80,10 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
 }
 
 std::string PictureSaver::saveWindow(const std::vector<std::uint32_t>& pixels, const glm::uvec2 size,
-                                     const std::filesystem::path& scene) const {
-    const std::string name = freeName(scene.stem().string(), ".png");
+                                     const std::string& stem) const {
+    const std::string name = freeName(stem, ".png");
     writeImage(imageOf(pixels, size), name);
-    return fmt::format("saved {}, all that the window shows", fullPath(name));
+    return fullPath(name);
 }
 
 } // namespace metamarch::viewer

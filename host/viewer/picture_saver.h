@@ -26,9 +26,10 @@ class PictureSaver {
                      const std::string& traversal, const ViewerState& state, const std::string& ending,
                      const Denoiser* denoiser) const;
 
-    // The same for a PNG of the window's pixels: red, green, blue from the low byte on, rows from the top.
+    // Writes a PNG of the window's pixels: red, green, blue from the low byte on, rows from the top. Its name
+    // is `stem` with the next free number. Returns the full path. Throws Error(outputNotWritable).
     std::string saveWindow(const std::vector<std::uint32_t>& pixels, glm::uvec2 size,
-                           const std::filesystem::path& scene) const;
+                           const std::string& stem) const;
 
   private:
     std::string software;

@@ -36,6 +36,8 @@ constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
 
+constexpr double kSecondsOfStep = 0.8; // while a march plays
+
 class Viewer {
   public:
     explicit Viewer(const ViewerOptions& usedOptions)
@@ -94,10 +96,14 @@ class Viewer {
             const Settings settingsBefore = state.settings;
             const ViewCamera cameraBefore = state.camera;
             controls.apply(input, window, seconds, state);
-            drawPanels(state);
+            keepStep();
+            if (!isSavingMarch) {
+                drawPanels(state);
+            }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
             play(seconds);
+            playMarch(seconds);
             follow(settingsBefore, cameraBefore);
             if (state.scene) {
                 state.history.follow(state.camera, seconds);
@@ -127,7 +133,8 @@ class Viewer {
   private:
     // Returns true if something is on its way that comes without an event.
     bool isExpecting() const {
-        return scenes.isBusy() || splitView.isDenoising() || state.playback.isPlaying;
+        return scenes.isBusy() || splitView.isDenoising() || state.playback.isPlaying ||
+               state.isMarchPlaying || isSavingMarch;
     }
 
     // --- scenes ---
@@ -266,6 +273,8 @@ class Viewer {
             if (!isWindowWanted) {
                 state.say("this screen gives no picture of the window");
             }
+        } else if (action == Action::saveMarch) {
+            saveMarch();
         } else if (action == Action::saveExr) {
             save(".exr");
         } else if (action == Action::reload) {
@@ -299,12 +308,61 @@ class Viewer {
             return;
         }
         isWindowWanted = false;
+        quietFrames = 0; // shows the message, or the next step
+        const std::string scene = state.file.stem().string();
         try {
-            state.say(saver.saveWindow(frame->pixels, frame->size, state.file));
+            if (isSavingMarch) {
+                savedStep(saver.saveWindow(frame->pixels, frame->size, scene + "_march"));
+            } else {
+                state.say(fmt::format("saved {}, all that the window shows",
+                                      saver.saveWindow(frame->pixels, frame->size, scene)));
+            }
         } catch (const Error& error) {
+            isSavingMarch = false;
             state.say(error.what());
         }
-        quietFrames = 0; // shows the message
+    }
+
+    // --- the march ---
+
+    void saveMarch() {
+        if (!state.march || state.march->log.steps.empty()) {
+            state.say("there is no march to save: Alt+click marches a ray");
+            return;
+        }
+        isSavingMarch = true;
+        state.isMarchPlaying = false;
+        state.marchStep = 1;
+    }
+
+    // Asks for the picture of the step that is saved next, without panels.
+    void keepStep() {
+        if (!isSavingMarch) {
+            return;
+        }
+        isWindowWanted = state.shownStep() && presenter.keepFrame();
+        if (!isWindowWanted) { // the march is gone, or the screen gives no pictures
+            isSavingMarch = false;
+            state.say("the march is not saved");
+        }
+    }
+
+    void savedStep(const std::string& path) {
+        if (static_cast<std::size_t>(state.marchStep) < state.march->log.steps.size()) {
+            ++state.marchStep;
+            return;
+        }
+        isSavingMarch = false;
+        state.say(fmt::format("saved {} steps, the last as {}", state.marchStep, path));
+    }
+
+    void playMarch(const double seconds) {
+        sinceStep = state.isMarchPlaying ? sinceStep + seconds : 0.0;
+        if (!state.march || sinceStep < kSecondsOfStep) {
+            return;
+        }
+        sinceStep = 0.0;
+        state.isMarchPlaying = static_cast<std::size_t>(++state.marchStep) < state.march->log.steps.size();
     }
 
     // --- pictures ---
@@ -452,6 +510,8 @@ class Viewer {
     RecentFiles recentFiles;
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
+    bool isSavingMarch = false;  // the step that is shown is saved next
+    double sinceStep = 0.0;      // seconds since the march has played its last step
     bool isStale = false;        // the picture must begin anew
     bool isHalted = false;       // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};

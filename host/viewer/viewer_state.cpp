@@ -31,6 +31,13 @@ std::vector<std::string> ViewerState::traversals() const {
     return names;
 }
 
+std::optional<std::size_t> ViewerState::shownStep() const {
+    if (!march || marchStep < 1 || static_cast<std::size_t>(marchStep) > march->log.steps.size()) {
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(marchStep) - 1;
+}
+
 Camera ViewerState::traced() const {
     return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
 }

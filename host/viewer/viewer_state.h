@@ -6,6 +6,7 @@
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/viewer/pick.h"
 #include "metamarch/viewer/scene_loader.h"
+#include "metamarch/viewer/solid_box.h"
 #include "metamarch/viewer/view_camera.h"
 #include "metamarch/viewer/view_history.h"
 
@@ -70,6 +71,7 @@ enum class Action {
     previousFrame,
     nextCamera,
     printCamera,
+    saveMarch,      // each step as the window shows it
     saveScreenshot, // the picture alone
     saveWindow,     // with panels and lines
     saveExr,
@@ -110,6 +112,15 @@ struct Playback {
     bool isLooped = true;
 };
 
+// The box of a march's step as it was drawn last, and what it depends on.
+struct ShownBox {
+    const LoadedScene* scene = nullptr;
+    ViewCamera camera;
+    glm::uvec2 size{0};
+    Bounds box{};
+    SolidBox solid;
+};
+
 // Declares the settings that the panels show.
 void declareControls(SettingList& controls, SettingList& lightControls, Settings& settings);
 
@@ -135,6 +146,8 @@ struct ViewerState {
     std::optional<Pick> selected;
     std::optional<FrozenMarch> march;
     int marchStep = 0; // number of the only step that is drawn, from 1; 0: all are
+    bool isMarchPlaying = false;
+    ShownBox shownBox; // of that step
     Statistics statistics;
     ViewHistory history;
     Playback playback;
@@ -148,6 +161,8 @@ struct ViewerState {
     float aspect() const { return static_cast<float>(size.x) / static_cast<float>(size.y); }
     // Returns the traversals of the viewports, from left to right.
     std::vector<std::string> traversals() const;
+    // Returns the index of the only step that is drawn; none if there is none, or if all are.
+    std::optional<std::size_t> shownStep() const;
     bool hasSplit() const { return !settings.secondTraversal.empty(); }
     // Returns the camera that the device traces at the window's size. Call it only with a scene.
     Camera traced() const;

@@ -14,6 +14,9 @@ namespace {
 constexpr std::array<std::uint32_t, 7> kCoarseness = {2, 3, 4, 6, 8, 12, 16};
 constexpr std::uint32_t kFirstCoarseness = 8; // until the device's speed is known
 
+// Device time of the film's first sample, after which its tiles are shown over the preview one by one.
+constexpr double kLongestPreview = 3.0;
+
 // Bounds the film, whose pixels are large.
 constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 
@@ -90,8 +93,13 @@ void Viewport::record(vulkan::Commands& commands, const Screen& screen, const st
     coarse.record(commands);
     sharp.record(commands);
     fine.record(commands);
-    const ProgressiveImage& lower = hasPreview && sharp.isWhole() ? sharp : coarse;
-    const ProgressiveImage& upper = hasPreview && !sharp.isWhole() ? sharp : fine.hasPicture() ? fine : lower;
+    const bool isSharp = hasPreview && sharp.isWhole();
+    // Tiles of noise between tiles of the preview would be worse than either, but a slow film shows that it
+    // comes.
+    const bool isFineShown =
+        fine.hasPicture() && (!hasPreview || fine.isWhole() || fine.seconds() > kLongestPreview);
+    const ProgressiveImage& lower = isSharp ? sharp : coarse;
+    const ProgressiveImage& upper = isFineShown ? fine : hasPreview ? sharp : lower;
     if (first >= end || !lower.hasPicture()) {
         return;
     }

@@ -139,15 +139,19 @@ class Viewer:
         self.settle()
         self.wait_for_title(r".* - \w+, (\d+) of \1 samples - [\w |]+ - metamarch")
 
+    def has_all_samples(self):
+        samples = re.search(r", (\d+) of (\d+) samples", self.title)
+        return not samples or samples[1] == samples[2]
+
     def wait_for_still(self):
-        """Waits until the picture no longer changes, and returns it."""
+        """Waits until the picture no longer changes, and returns it. A preview is no such picture."""
         self.settle()
         before = None
         equal = 0
         end = time.monotonic() + TOO_LATE
         while equal < 4:
             now = self.screenshot()
-            equal = equal + 1 if now == before else 0
+            equal = equal + 1 if now == before and self.has_all_samples() else 0
             before = now
             if time.monotonic() > end:
                 raise TimeoutError("the picture does not come to rest")

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "metamarch/viewer/walk_diagram.h"
+
+#include "metamarch/viewer/march_story.h"
+#include "metamarch/viewer/overlay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <imgui.h>
+#include <string>
+
+namespace metamarch::viewer {
+namespace {
+
+constexpr ImU32 kDiagramInk = IM_COL32(255, 255, 255, 255);
+constexpr ImU32 kDiagramShade = IM_COL32(10, 12, 16, 225);
+constexpr ImU32 kToCome = IM_COL32(120, 125, 135, 110);
+constexpr ImU32 kVisited = IM_COL32(190, 200, 215, 220);
+constexpr ImU32 kWaiting = IM_COL32(255, 210, 60, 255);
+
+// Measures in heights of the text.
+constexpr float kWidth = 30.0f;
+constexpr float kHeight = 19.0f;
+constexpr float kStackWidth = 6.0f;
+constexpr int kShownOnStack = 8;
+
+class Diagram {
+  public:
+    Diagram(const ViewerState& state, const std::size_t usedStep)
+        : march(state.march->log), walk(state.march->walk), step(usedStep), text(ImGui::GetFontSize()),
+          corner(static_cast<float>(state.size.x) - (kWidth + 1.0f) * text, text),
+          visits(visitsUpTo(walk, march, step)), list(*ImGui::GetBackgroundDrawList()) {}
+
+    void draw() const {
+        list.AddRectFilled(at({0.0f, 0.0f}), at({kWidth, kHeight}), kDiagramShade, 4.0f);
+        write({0.6f, 0.4f}, kDiagramInk, "The same ray in the kd-tree, with a stack");
+        drawTree();
+        drawStack();
+        if (visits > 0) {
+            const std::string told = sentenceOf(walk, visits - 1);
+            const ImVec2 place = at({0.6f, kHeight - 5.6f});
+            list.AddText(ImGui::GetFont(), text, place, kVisited, told.c_str(), nullptr,
+                         (kWidth - 1.2f) * text);
+        }
+        drawCounters();
+    }
+
+  private:
+    ImVec2 at(const glm::vec2 place) const { return {corner.x + place.x * text, corner.y + place.y * text}; }
+    void write(const glm::vec2 place, const ImU32 color, const std::string& words) const {
+        list.AddText(at(place), color, words.c_str());
+    }
+
+    // Visits go from left to right, depth goes down.
+    ImVec2 placeOf(const std::size_t visit, const float deepest) const {
+        const glm::vec2 from(1.0f, 2.2f);
+        const glm::vec2 to(kWidth - kStackWidth - 1.5f, kHeight - 6.4f);
+        const float last = std::max(static_cast<float>(walk.visits.size()) - 1.0f, 1.0f);
+        const glm::vec2 part(static_cast<float>(visit) / last,
+                             static_cast<float>(walk.visits[visit].depth) / deepest);
+        return at(from + part * (to - from));
+    }
+
+    void drawTree() const {
+        float deepest = 1.0f;
+        for (const WalkVisit& visit : walk.visits) {
+            deepest = std::max(deepest, static_cast<float>(visit.depth));
+        }
+        for (std::size_t i = 1; i < walk.visits.size(); ++i) {
+            list.AddLine(placeOf(walk.visits[i].parent, deepest), placeOf(i, deepest),
+                         i < visits ? kVisited : kToCome);
+        }
+        for (std::size_t i = 0; i < walk.visits.size(); ++i) {
+            const WalkVisit& visit = walk.visits[i];
+            const ImU32 color = i >= visits           ? kToCome
+                                : !visit.isLeaf       ? kVisited
+                                : visit.triangleCount ? marchColor(MarchPart::fullLeaf)
+                                                      : marchColor(MarchPart::emptyLeaf);
+            list.AddCircleFilled(placeOf(i, deepest), visit.isLeaf ? 3.5f : 2.0f, color);
+        }
+        if (visits > 0) {
+            list.AddCircle(placeOf(visits - 1, deepest), 6.0f, kDiagramInk, 0, 2.0f);
+        }
+    }
+
+    void drawStack() const {
+        const float left = kWidth - kStackWidth;
+        write({left, 1.9f}, kWaiting, "stack");
+        if (visits == 0) {
+            return;
+        }
+        const std::vector<std::uint32_t>& stack = walk.visits[visits - 1].stack;
+        const auto size = static_cast<int>(stack.size());
+        const int first = std::max(size - kShownOnStack, 0);
+        const float bottom = kHeight - 6.6f;
+        for (int i = first; i < size; ++i) {
+            const float y = bottom - 1.2f * static_cast<float>(i - first);
+            list.AddRect(at({left, y - 1.1f}), at({kWidth - 0.6f, y}), kWaiting);
+            write({left + 0.3f, y - 1.1f}, kWaiting, fmt::format("{}", stack[static_cast<std::size_t>(i)]));
+        }
+        if (first > 0) {
+            write({left, bottom}, kWaiting, fmt::format("and {}", first));
+        }
+    }
+
+    void drawCounters() const {
+        std::uint32_t tests = 0;
+        for (std::size_t i = 0; i <= step; ++i) {
+            tests += march.steps[i].tests;
+        }
+        const std::uint32_t walked = visits > 0 ? walk.visits[visits - 1].tests : 0;
+        write({0.6f, kHeight - 3.0f}, kWaiting,
+              fmt::format("stack: {:>4} nodes of {}, {} tests", visits, walk.visits.size(), walked));
+        write({0.6f, kHeight - 1.6f}, marchColor(MarchPart::cell),
+              fmt::format("table: {:>4} look-ups of {}, {} tests", step + 1, march.steps.size(), tests));
+    }
+
+    const MarchLog& march;
+    const WalkLog& walk;
+    std::size_t step;
+    float text;
+    glm::vec2 corner; // pixels
+    std::size_t visits;
+    ImDrawList& list;
+};
+
+} // namespace
+
+void drawWalkDiagram(const ViewerState& state) {
+    const auto step = state.shownStep();
+    if (step && static_cast<float>(state.size.x) > 2.0f * kWidth * ImGui::GetFontSize() &&
+        !state.march->walk.visits.empty()) {
+        Diagram(state, *step).draw();
+    }
+}
+
+} // namespace metamarch::viewer
