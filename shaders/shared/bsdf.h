@@ -93,7 +93,7 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
     vec3 value = vec3(0.0f);
     float pdf = 0.0f;
     float left = 1.0f; // fraction of the light left for the diffuse lobe
-    if (hasFeature(kFeatureFacets)) {
+    if (bsdf.hasFacets) {
         const FacetPair facets = facetsTowards(bsdf, incoming);
         const FacetColors colors = facetColors(bsdf, isSmoothBase ? bsdf.wo.z : facets.cosOut);
         const float alphaIn = alphaTowards(bsdf, incoming);
@@ -107,7 +107,7 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
         pdf = bsdf.pBase * (isThrough ? 1.0f - colors.share : colors.share) * density;
         const float leftIn = bsdf.isRefractive ? 1.0f : diffusePart(bsdf, facetAlbedo(cosIn, alphaIn));
         left = bsdf.isSingleScatter ? 1.0f - colors.cover : bsdf.diffuseOut * leftIn;
-        if (hasFeature(kFeatureSheen)) {
+        if (hasFeature(kFeatureSheen) && isComputed(largest(bsdf.sheenColor) > 0.0f)) {
             const float sheen = sheenLobe(bsdf.wo.z, cosIn, facets.normal.z, bsdf.sheenRoughness);
             value = value + bsdf.sheenColor * (isRough && !isThrough ? sheen : 0.0f);
         }
@@ -117,7 +117,7 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
     value = value + diffuse * (cosineDensity * left * radianceScale * bsdf.baseScale);
     pdf = pdf + (isThrough ? bsdf.pDiffuseThrough : bsdf.pDiffuse) * cosineDensity;
 
-    if (hasFeature(kFeatureCoat)) {
+    if (hasFeature(kFeatureCoat) && isComputed(bsdf.coat.strength > 0.0f)) {
         const CoatLobe coat = coatLobe(bsdf.coat, wi, lobe == kLobeSmoothCoat);
         const bool isCoat = !isThrough && !isSmoothBase;
         value = value + vec3(isCoat ? coat.value : 0.0f);
@@ -157,7 +157,7 @@ SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, cons
     vec3 mirrored = vec3(0.0f);
     vec3 passed = vec3(0.0f);
     bool isThrough = false;
-    if (hasFeature(kFeatureFacets | kFeatureCoat)) {
+    if (hasFeature(kFeatureFacets | kFeatureCoat) && isComputed(!isCosine)) {
         const vec3 facet = isSmooth ? vec3(0.0f, 0.0f, 1.0f) : sampleFacet(wo, alpha, uDirection);
         const float facetOut = dotProduct(wo, facet);
         const Refraction refraction = refractionAt(facetOut, bsdf.eta);

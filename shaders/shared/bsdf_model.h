@@ -42,6 +42,7 @@ struct Bsdf {
     bool isSingleScatter;
 
     // The facets of the base.
+    bool hasFacets; // otherwise the base is diffuse
     vec2 alpha;
     float meanAlpha; // a mean of both: see alphaTowards
     float lengthOut; // facetLength of wo
@@ -118,7 +119,7 @@ SHARED_FN FacetColors facetColors(const Bsdf bsdf, const float cosine) {
     const Refraction refraction = refractionAt(cosine, bsdf.eta);
     vec3 dielectric = dielectricReflectance(bsdf, refraction, cosine);
     vec3 metal = atWeight(bsdf.metal, schlickWeight(cosine));
-    if (hasFeature(kFeatureIridescence)) {
+    if (hasFeature(kFeatureIridescence) && isComputed(bsdf.film.strength > 0.0f)) {
         // One film serves both bases, because materials between metal and dielectric are rare.
         const vec3 base = blend3(bsdf.dielectric.low, bsdf.metal.low, bsdf.metallic);
         const vec3 filmed = filmReflectance(cosine, bsdf.film.ior, bsdf.film.thickness, base);
@@ -178,6 +179,13 @@ SHARED_FN float alphaTowards(const Bsdf bsdf, const vec3 w) {
     return sqrt(x * x + y * y + z * z);
 }
 
+// Returns true if the base reflects or refracts, or there is sheen.
+SHARED_FN bool baseHasFacets(const SurfaceMaterial material) {
+    const float strength =
+        max(max(material.metallic, material.specular), max(material.transmission, material.iridescence));
+    return hasFeature(kFeatureFacets) && isComputed(strength > 0.0f || largest(material.sheenColor) > 0.0f);
+}
+
 // Sets the members that follow from the material without an albedo.
 SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame frame, const vec3 wo) {
     Bsdf bsdf;
@@ -194,7 +202,8 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     bsdf.meanAlpha = 0.25f * along + 0.75f * across;
     bsdf.lengthOut = facetLength(local, vec2(along, across));
     bsdf.balanceOut = 1.0f;
-    if (hasFeature(kFeatureFacets)) {
+    bsdf.hasFacets = baseHasFacets(material);
+    if (bsdf.hasFacets) {
         bsdf.balanceOut = facetBalance(local.z, alphaTowards(bsdf, local));
     }
     bsdf.isSmooth = along <= kMinAlpha;
@@ -250,6 +259,7 @@ SHARED_FN Bsdf diffuseBsdf(const Bsdf plain) {
     bsdf.baseScale = 1.0f;
     bsdf.sheenColor = vec3(0.0f);
     bsdf.sheenRoughness = 1.0f;
+    bsdf.coat.strength = 0.0f;
     bsdf.coat.albedo = 0.0f;
     bsdf.coat.isSmooth = true;
     bsdf.pBase = 0.0f;
@@ -265,26 +275,27 @@ SHARED_FN Bsdf diffuseBsdf(const Bsdf plain) {
 // Call it once per hit. `wo` has unit length, is in world space and points away from the surface.
 SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame, const vec3 wo) {
     const Bsdf plain = plainBsdf(material, frame, wo);
-    if (!hasFeature(kFeatureFacets | kFeatureCoat)) {
+    const bool isInside = (material.flags & kSurfaceVolume) != 0u && frame.isBack != 0u;
+    const bool hasCoat = hasFeature(kFeatureCoat) && isComputed(material.coat > 0.0f && !isInside);
+    if (!plain.hasFacets && !hasCoat) {
         return diffuseBsdf(plain);
     }
     Bsdf bsdf = plain;
     const float cosOut = bsdf.wo.z;
     const float dielectricPart = 1.0f - bsdf.metallic;
-    const bool isInside = (material.flags & kSurfaceVolume) != 0u && frame.isBack != 0u;
 
     // Find the light that the facets reflect, and the light that they leave for the diffuse lobes.
     const float alphaOut = alphaTowards(bsdf, bsdf.wo);
-    // Without kFeatureFacets both are multiplied by 0.
+    // Without facets both are multiplied by 0.
     FacetAlbedo facets = FacetAlbedo(1.0f, 0.0f);
     FacetAlbedo meanFacets = FacetAlbedo(1.0f, 0.0f);
-    if (hasFeature(kFeatureFacets)) {
+    if (bsdf.hasFacets) {
         facets = facetAlbedo(cosOut, alphaOut);
         meanFacets = meanFacetAlbedo(bsdf.meanAlpha);
     }
     Reflectance metal = bsdf.metal;
     Reflectance dielectric = bsdf.dielectric;
-    if (hasFeature(kFeatureIridescence)) {
+    if (hasFeature(kFeatureIridescence) && isComputed(bsdf.film.strength > 0.0f)) {
         metal = underMeanFilm(bsdf, metal, facets);
         dielectric = underMeanFilm(bsdf, dielectric, facets);
     }
@@ -318,9 +329,10 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
 
     // Add the layers above the base. They are on the outside of a volume.
     float coatScale = 1.0f;
+    bsdf.coat.strength = 0.0f;
     bsdf.coat.albedo = 0.0f;
     bsdf.coat.isSmooth = true;
-    if (hasFeature(kFeatureCoat)) {
+    if (hasCoat) {
         const float alpha = max(squared(material.coatRoughness), kMinAlpha);
         bsdf.coat =
             makeCoat(frame.coatNormal, isInside ? 0.0f : material.coat, alpha, bsdf.isSingleScatter, wo);
@@ -329,7 +341,7 @@ SHARED_FN Bsdf makeBsdf(const SurfaceMaterial material, const SurfaceFrame frame
     float sheen = 0.0f;
     bsdf.sheenColor = vec3(0.0f);
     bsdf.sheenRoughness = 1.0f;
-    if (hasFeature(kFeatureSheen)) {
+    if (hasFeature(kFeatureSheen) && isComputed(largest(material.sheenColor) > 0.0f && !isInside)) {
         bsdf.sheenColor = isInside ? vec3(0.0f) : material.sheenColor * coatScale;
         bsdf.sheenRoughness = max(material.sheenRoughness, kMinSheenRoughness);
         sheen = sheenAlbedo(cosOut, bsdf.sheenRoughness);

@@ -47,5 +47,16 @@ const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 SHARED_FN bool hasFeature(const uint feature) { return (SHADING_FEATURES & feature) != 0u; }
 
+// Returns whether to compute a part of the model that this material needs or not. The CPU has no
+// specialization and skips what a material lacks. A kernel computes it for all lanes, because llvmpipe
+// executes both sides of a branch. The result is the same to the bit.
+SHARED_FN bool isComputed(const bool isNeeded) {
+#ifdef __cplusplus
+    return isNeeded;
+#else
+    return true;
+#endif
+}
+
 SHARED_END
 #endif
