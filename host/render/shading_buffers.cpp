@@ -3,8 +3,6 @@
 
 #include "metamarch/vulkan/transfer.h"
 
-#include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace metamarch::render {
@@ -34,8 +32,10 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
     add(kBindEmitters, scene.emitters, "emitters");
     // The nodes of the tree of lights follow: see lib/shading.glsl.
     std::vector<std::byte> lights;
-    std::ranges::copy(std::as_bytes(std::span(scene.lights)), std::back_inserter(lights));
-    std::ranges::copy(std::as_bytes(std::span(scene.lightNodes)), std::back_inserter(lights));
+    for (const auto part :
+         {std::as_bytes(std::span(scene.lights)), std::as_bytes(std::span(scene.lightNodes))}) {
+        lights.insert(lights.end(), part.begin(), part.end());
+    }
     add(kBindLights, lights, "lights");
     add(kBindTables, scene.tables, "light tables");
     add(kBindEnvironment, scene.environment, "environment");

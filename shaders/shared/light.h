@@ -32,13 +32,14 @@ struct TableChoice {
     uint index;
     float probability;
     float uRemapped; // in [0, 1): u rescaled within the entry, as good as a new random number
+    bool isWhole;    // false if the driver has ended the search early: see `finish` in lib/scene.glsl
 };
 
 SHARED_FN uint guideSlot(const float u, const uint count) { return min(uint(u * float(count)), count - 1u); }
 
 SHARED_FN TableChoice chosenEntry(const TableEntry entry, const uint index, const float u) {
     const float uRemapped = (u - entry.from) / (entry.upTo - entry.from);
-    return TableChoice(index, entry.probability, min(max(uRemapped, 0.0f), 0.99999994f));
+    return TableChoice(index, entry.probability, min(max(uRemapped, 0.0f), 0.99999994f), true);
 }
 
 // Returns a number in [0, 1] with a density that goes linearly from `atStart` at 0 to `atEnd` at 1. Both are
@@ -96,6 +97,7 @@ struct LightSample {
     float distance; // kFarLight: infinitely far
     vec3 arriving;  // times BSDF and |cosine|: the light's contribution to the radiance towards wo
     float pdf;      // per solid angle; 0 if only light sampling can find the light
+    bool isWhole;   // as in TableChoice
 };
 
 const float kFarLight = 3.0e38f;
@@ -126,7 +128,7 @@ SHARED_FN LightSample sampleLight(const LightRecord light, const vec3 point, con
     const float discAngle = kTwoPi * light.scale; // steradians
     const float amount = isDisc ? discAngle : isFar ? 1.0f : falloff / squaredDistance;
     return LightSample(wi, isFar ? kFarLight : distance, light.strength * amount,
-                       isDisc ? 1.0f / discAngle : 0.0f);
+                       isDisc ? 1.0f / discAngle : 0.0f, true);
 }
 
 // Returns true if a ray that leaves the scene in direction `wi` sees the disc.

@@ -6,13 +6,13 @@
 
 SHARED_BEGIN
 
-// What a node knows of its lights. Each light shines within `end` of a direction, its normal, and with the
-// cosine of the angle to it. All normals are within `spread` of the axis.
+// What a node knows of its lights. All their normals are within the angle `spread` of the axis, and they
+// shine at most at the angle `end` to a normal, with its cosine.
 struct LightNode {
     vec3 center; // of a sphere around all points that shine
     float radius;
-    uint axis; // packAxis, and bits kLightLeaf and kLightTwoSided
-    uint cosines;
+    uint axis;       // packAxis, and bits kLightLeaf and kLightTwoSided
+    uint angles;     // packAngles
     float intensity; // sum over the lights: W/sr along the normal
     // The index of the first child, which the second follows. Of a leaf, the index of its light: emitters
     // come first, then punctual lights.
@@ -38,21 +38,24 @@ SHARED_FN vec3 unpackAxis(const uint packedAxis) {
     return unitVector(whole - 511.0f);
 }
 
-// Packs the cosines of `spread` and `end`, both rounded down: the node may only become larger.
-SHARED_FN uint packCosines(const float spread, const float end) {
-    const float a = min(max(floor((spread + 1.0f) * 32767.0f), 0.0f), 65534.0f);
-    const float b = min(max(floor((end + 1.0f) * 32767.0f), 0.0f), 65534.0f);
-    return uint(a) | (uint(b) << 16u);
+// Packs the angles `spread` and `end`, given by their cosines, as sines of half angles in 16 bits each. Both
+// are rounded up, so a node may only become larger.
+SHARED_FN uint packAngles(const float cosSpread, const float cosEnd) {
+    const vec2 halves = sqrt(max(vec2(1.0f - cosSpread, 1.0f - cosEnd) * 0.5f, vec2(0.0f)));
+    const vec2 steps = min(ceil(halves * 65535.0f) + 1.0f, vec2(65535.0f));
+    return uint(steps.x) | (uint(steps.y) << 16u);
 }
 
-SHARED_FN vec2 unpackCosines(const uint cosines) {
-    return vec2(float(cosines & 0xffffu), float(cosines >> 16u)) / 32767.0f - 1.0f;
+// Returns the cosines of both angles.
+SHARED_FN vec2 unpackCosines(const uint angles) {
+    const vec2 halves = vec2(float(angles & 0xffffu), float(angles >> 16u)) / 65535.0f;
+    return 1.0f - halves * halves * 2.0f;
 }
 
 SHARED_ASSERT_SIZE(LightNode, 32)
 SHARED_ASSERT_OFFSET(LightNode, radius, 12)
 SHARED_ASSERT_OFFSET(LightNode, axis, 16)
-SHARED_ASSERT_OFFSET(LightNode, cosines, 20)
+SHARED_ASSERT_OFFSET(LightNode, angles, 20)
 SHARED_ASSERT_OFFSET(LightNode, intensity, 24)
 SHARED_ASSERT_OFFSET(LightNode, link, 28)
 

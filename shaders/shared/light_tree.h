@@ -38,8 +38,8 @@ struct LightReceiver {
     vec3 normal; // unit length, on the side that gets light; zero: all directions get light
 };
 
-// Returns a bound of the light that a node gives to a surface, up to a factor that is the same for all nodes.
-// It is 0 only where no point of the node can give light, but for rounding.
+// Estimates the light that a node gives to a surface, up to a factor that is the same for all nodes. It is 0
+// only where no point of the node can give light, but for rounding.
 SHARED_FN float lightImportance(const LightNode node, const LightReceiver to) {
     const vec3 towards = node.center - to.position;
     const float squaredDistance = dotProduct(towards, towards);
@@ -50,7 +50,7 @@ SHARED_FN float lightImportance(const LightNode node, const LightReceiver to) {
     // Half of the angle that the sphere covers, as the point sees it.
     const Angle covered = Angle(isOutside ? sqrt(max(1.0f - sine * sine, 0.0f)) : -1.0f, sine);
 
-    const vec2 cosines = unpackCosines(node.cosines);
+    const vec2 cosines = unpackCosines(node.angles);
     const float along = -dotProduct(wi, unpackAxis(node.axis));
     const Angle fromAxis = angleOf((node.axis & kLightTwoSided) != 0u ? abs(along) : along);
     const Angle emitted = lessenedAngle(lessenedAngle(fromAxis, angleOf(cosines.x)), covered);
@@ -63,12 +63,18 @@ SHARED_FN float lightImportance(const LightNode node, const LightReceiver to) {
     return min(node.intensity / (reach * reach), 1e30f) * facing * received;
 }
 
+// The least probability of a child that can give light, if the other can too. The other may be occluded. It
+// also keeps all probabilities of a walk within the precision of u.
+const float kLeastChildProbability = 2.44140625e-4f; // 2^-12
+
 // Returns the probability of the first of two children, given that one of them is chosen. If no light of
 // either reaches the surface, returns -1.
 SHARED_FN float firstChildProbability(const LightNode first, const LightNode second, const LightReceiver to) {
     const float ofFirst = lightImportance(first, to);
-    const float sum = ofFirst + lightImportance(second, to);
-    return sum > 0.0f ? ofFirst / sum : -1.0f;
+    const float ofSecond = lightImportance(second, to);
+    const float sum = ofFirst + ofSecond;
+    const float least = min(ofFirst, ofSecond) > 0.0f ? kLeastChildProbability : 0.0f;
+    return sum > 0.0f ? min(max(ofFirst / sum, least), 1.0f - least) : -1.0f;
 }
 
 // Chooses a light by u. The probability is 0 if no light reaches the surface.
@@ -77,9 +83,10 @@ SHARED_FN TableChoice chooseFromLightTree(SCENE_PARAMETER const PathSettings set
     LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
     float probability = 1.0f;
     float rest = u;
-    // As in chooseFromTable, the `if` is for llvmpipe.
+    bool isLeaf = (node.axis & kLightLeaf) != 0u;
+    uint left = isLeaf ? 0u : 1u; // as in chooseFromTable, as the `if`
     do {
-        if ((node.axis & kLightLeaf) == 0u) {
+        if (!isLeaf) {
             const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
             const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
             const float split = firstChildProbability(first, second, to);
@@ -88,13 +95,13 @@ SHARED_FN TableChoice chooseFromLightTree(SCENE_PARAMETER const PathSettings set
             const float from = isFirst ? 0.0f : split;
             rest = split < 0.0f ? rest : min(max((rest - from) / max(chance, 1e-30f), 0.0f), 0.99999994f);
             probability = split < 0.0f ? 0.0f : probability * chance;
-            node.center = isFirst ? first.center : second.center;
-            node.radius = isFirst ? first.radius : second.radius;
             node.axis = isFirst ? first.axis : second.axis;
             node.link = isFirst ? first.link : second.link;
+            isLeaf = (node.axis & kLightLeaf) != 0u;
+            left = isLeaf ? 0u : 1u;
         }
-    } while ((node.axis & kLightLeaf) == 0u);
-    return TableChoice(node.link, probability, rest);
+    } while (!isLeaf);
+    return TableChoice(node.link, probability, rest, left == 0u);
 }
 
 // The probability with which chooseFromLightTree chooses an emitter.
@@ -103,7 +110,7 @@ struct EmitterChance {
     bool isWhole; // false if the driver has ended a loop early: see `finish` in lib/scene.glsl
 };
 
-// Returns the probability of the emitter at `triangleId`; 0 if there is none.
+// Returns the probability of the emitter at `triangleId`; 0 if that is none. The scene has emitters.
 SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
                                       const uint triangleId) {
     // Emitters are in the order of their triangles.
@@ -117,15 +124,16 @@ SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings setting
             high = isAbove ? high : middle;
         }
     } while (low < high);
-    const uint unread = high - low;
+    const uint unsearched = high - low;
     const Emitter emitter = loadEmitter(SCENE low);
 
     LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
     float probability = emitter.triangleId == triangleId ? 1.0f : 0.0f;
     uint branches = emitter.branches;
-    uint left = 1u;
+    bool isLeaf = (node.axis & kLightLeaf) != 0u;
+    uint left = isLeaf ? 0u : 1u;
     do {
-        if ((node.axis & kLightLeaf) == 0u) {
+        if (!isLeaf) {
             const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
             const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
             const float split = firstChildProbability(first, second, to);
@@ -134,10 +142,11 @@ SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings setting
             branches = branches >> 1u;
             node.axis = isFirst ? first.axis : second.axis;
             node.link = isFirst ? first.link : second.link;
+            isLeaf = (node.axis & kLightLeaf) != 0u;
+            left = isLeaf ? 0u : 1u;
         }
-        left = (node.axis & kLightLeaf) == 0u ? 1u : 0u;
-    } while ((node.axis & kLightLeaf) == 0u);
-    return EmitterChance(probability, unread + left == 0u);
+    } while (!isLeaf);
+    return EmitterChance(probability, unsearched + left == 0u);
 }
 
 SHARED_END

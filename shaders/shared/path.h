@@ -33,10 +33,10 @@ struct Path {
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
-    vec3 gained;        // the part of radiance that the last surface or the surroundings added
-    uint channel;       // colour channel that a dispersive volume has chosen; kNoChannel: none yet
-    uint bin;           // of the surface that the ray has left, for the density of light sampling
-    LightReceiver left; // the same with kFeatureLightTree
+    vec3 gained;            // the part of radiance that the last surface or the surroundings added
+    uint channel;           // colour channel that a dispersive volume has chosen; kNoChannel: none yet
+    uint bin;               // of the surface that the ray has left, for the density of light sampling
+    LightReceiver receiver; // with kFeatureLightTree, the surface that the ray has left: for the same density
     bool isAlive;
     RayCone cone; // used with kFeatureMipmaps
     Media media;  // used with kFeatureVolume
@@ -61,6 +61,7 @@ struct ShadowRay {
     vec3 dir; // if tMax is 1, the vector to the light; otherwise of unit length
     bool isNeeded;
     vec3 gain;
+    bool isWhole; // as in PathStep
 };
 
 struct PathStep {
@@ -339,13 +340,9 @@ SHARED_FN uint lightBin(SCENE_PARAMETER const Bsdf bsdf) {
     return isTransmissive(bsdf) ? kAnyNormal : normalBin(bsdf.frame.normal);
 }
 
-// Returns what the tree of lights needs to know of a surface. A coat with a normal of its own gets light from
-// both sides of the base's normal.
-SHARED_FN LightReceiver lightReceiver(SCENE_PARAMETER const Bsdf bsdf, const SurfacePoint point) {
-    const bool hasOtherCoat =
-        hasFeature(SCENE kFeatureCoat) && hasFeature(SCENE kFeatureNormalMaps) && bsdf.coat.strength > 0.0f;
-    const bool isAround = isTransmissive(bsdf) || hasOtherCoat;
-    return LightReceiver(point.position, isAround ? vec3(0.0f) : bsdf.frame.normal);
+// Returns what the tree of lights needs to know of a surface.
+SHARED_FN LightReceiver lightReceiver(const Bsdf bsdf, const SurfacePoint point) {
+    return LightReceiver(point.position, isTransmissive(bsdf) ? vec3(0.0f) : bsdf.frame.normal);
 }
 
 // `ahead` and `behind` are the media on the side of the path and on the other side of the surface.
@@ -369,10 +366,10 @@ SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, co
     const vec3 gain = clampedGain(settings, path.throughput * found.value * arriving * weight);
     const bool isNeeded =
         !bsdf.isDelta && largest(gain) > 0.0f && (settings.strategies & kSampleLights) != 0u;
-    return ShadowRay(origin, light.isFar ? kFarthest : 1.0f, dir, isNeeded, gain);
+    return ShadowRay(origin, light.isFar ? kFarthest : 1.0f, dir, isNeeded, gain, light.isWhole);
 }
 
-SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f)); }
+SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f), true); }
 
 // Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
 // cone at the surface.
@@ -400,7 +397,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint 
     next.radianceScale = radianceScale;
     next.bounce = path.bounce + 1u;
     next.bin = bin;
-    next.left = from;
+    next.receiver = from;
     next.isAlive = kept > 0.0f && survives;
     next.cone = scatteredCone(path.cone, width, next.pdf);
     if (hasFeature(kFeatureVolume)) {
@@ -485,7 +482,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
         float probability = 0.0f;
         if (hasFeature(SCENE kFeatureLightTree) && record.emissionDensity > 0.0f && path.pdf < kCertain) {
-            const EmitterChance chance = chanceOfEmitter(SCENE settings, path.left, triangle.triangleId);
+            const EmitterChance chance = chanceOfEmitter(SCENE settings, path.receiver, triangle.triangleId);
             probability = chance.probability;
             isWhole = chance.isWhole;
         }
@@ -520,7 +517,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
     // What the catcher mirrors looks as the camera would see it.
     const uint maxBounces = settings.maxBounces + (path.isMirrored ? 1u : 0u);
     const bool isLast = isUnlit || path.bounce > maxBounces;
-    const LightReceiver receiver = lightReceiver(SCENE bsdf, point);
+    const LightReceiver receiver = lightReceiver(bsdf, point);
     const uint bin = lightBin(SCENE bsdf);
     ShadowRay shadow = noShadow();
     if (hasFeature(SCENE kFeatureLights)) {
@@ -537,7 +534,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         next.pdf = kCertain; // no light sample looks for what is in the mirror
     }
     const vec3 albedo = isUnlit ? material.baseColor : bsdf.albedo;
-    return PathStep(next, shadow, albedo, point.normal, frame.normal, isWhole);
+    return PathStep(next, shadow, albedo, point.normal, frame.normal, isWhole && shadow.isWhole);
 }
 
 SHARED_END

@@ -41,14 +41,21 @@ SHARED_FN TableChoice chooseFromTable(SCENE_PARAMETER const uint first, const ui
     uint index = loadTableEntry(SCENE first + guideSlot(u, count)).guide;
     TableEntry entry = loadTableEntry(SCENE first + index);
     // The loop ends because the last entry that can be drawn has upTo 1. The `if` is for llvmpipe, where
-    // invocations that have left a loop execute its body again with the others.
+    // invocations that have left a loop execute its body again with the others. `left` is as in finishUnless
+    // of lib/scene.glsl.
+    bool isFound = entry.upTo > u;
+    uint left = isFound ? 0u : 1u;
     do {
-        if (entry.upTo <= u) {
+        if (!isFound) {
             ++index;
             entry = loadTableEntry(SCENE first + index);
+            isFound = entry.upTo > u;
+            left = isFound ? 0u : 1u;
         }
-    } while (entry.upTo <= u);
-    return chosenEntry(entry, index, u);
+    } while (!isFound);
+    TableChoice choice = chosenEntry(entry, index, u);
+    choice.isWhole = left == 0u;
+    return choice;
 }
 
 // Convert between the scene's axes and the map's. The map is rotated around y, right-handed: +z goes towards
@@ -124,7 +131,8 @@ SHARED_FN LightSample sampleEnvironment(SCENE_PARAMETER const PathSettings setti
     const float density = mapDensity(texel.w * block.probability, mapSine(inMap));
     const vec3 radiance = xyz(texel) * settings.environmentScale;
     const vec3 arriving = density > 0.0f ? radiance / density : vec3(0.0f);
-    return LightSample(turnedFromMap(settings, inMap), kFarLight, arriving, density);
+    const bool isWhole = block.isWhole && inRows.isWhole && inColumns.isWhole;
+    return LightSample(turnedFromMap(settings, inMap), kFarLight, arriving, density, isWhole);
 }
 
 // A sample of the light that reaches a point: the shadow ray, and what it carries if nothing occludes it.
@@ -135,6 +143,7 @@ struct SceneLightSample {
     vec3 arriving; // divided by the pdf of this sample
     float pdf;     // per solid angle; 0 if only light sampling can find the light
     bool isMap;    // it comes from the environment map
+    bool isWhole;  // as in TableChoice
 };
 
 // Returns the probability density over the area of an emitter. Where `probability` of choosing it depends on
@@ -176,7 +185,7 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
     const float pdf =
         solidAngleDensity(emitterDensity(SCENE material, triangle, probability), squaredDistance, cosine);
     const vec3 arriving = isSeen && pdf > 0.0f ? radiance / pdf : vec3(0.0f);
-    return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf, false);
+    return SceneLightSample(wi, offsetPoint(light, -towards), false, arriving, pdf, false, true);
 }
 
 // Chooses a light. Emitters come first, then punctual lights, then the environment map.
@@ -185,9 +194,11 @@ SHARED_FN TableChoice chooseLight(SCENE_PARAMETER const PathSettings settings, c
     TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u);
     if (hasFeature(SCENE kFeatureLightTree)) {
         const float probability = choice.probability;
+        const bool isWhole = choice.isWhole;
         if (choice.index == 0u) {
             choice = chooseFromLightTree(SCENE settings, to, choice.uRemapped);
             choice.probability = choice.probability * probability;
+            choice.isWhole = choice.isWhole && isWhole;
         } else {
             choice.index = settings.emitterCount + choice.index - 1u;
         }
@@ -212,7 +223,8 @@ SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings s
     const vec2 uPoint = vec2(choice.uRemapped, u.y);
     const uint firstPunctual = settings.emitterCount;
     const uint environment = settings.emitterCount + settings.punctualCount;
-    SceneLightSample result = SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f, false);
+    SceneLightSample result =
+        SceneLightSample(vec3(0.0f, 1.0f, 0.0f), point, true, vec3(0.0f), 0.0f, false, true);
     if (hasFeature(SCENE kFeatureEmission) && choice.index < firstPunctual) {
         result = sampleEmitter(SCENE loadEmitter(SCENE choice.index), choice.probability, point, uPoint);
     }
@@ -222,14 +234,15 @@ SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings s
         result =
             SceneLightSample(light.wi, isFar ? point : point + light.wi * light.distance, isFar,
                              choice.probability > 0.0f ? light.arriving / choice.probability : vec3(0.0f),
-                             light.pdf * choice.probability, false);
+                             light.pdf * choice.probability, false, true);
     }
     if (hasFeature(SCENE kFeatureEnvironment) && choice.index == environment) {
         const LightSample light = sampleEnvironment(SCENE settings, bin, uPoint);
         const float probability = settings.environmentProbability;
         result = SceneLightSample(light.wi, point, true, light.arriving / probability,
-                                  light.pdf * probability, true);
+                                  light.pdf * probability, true, light.isWhole);
     }
+    result.isWhole = result.isWhole && choice.isWhole;
     return result;
 }
 

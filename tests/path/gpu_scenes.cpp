@@ -374,6 +374,13 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          [] { return ballScene([](PathScene& made, Material&) { lamp(made); }); },
          {.samples = 5, .seed = 4, .strategies = kSampleBsdf, .clampLuminance = 1.5f}},
         {"punctual", [] { return ballScene([](PathScene& made, Material&) { punctual(made); }); }},
+        {"many_points",
+         [] {
+             return ballScene([](PathScene& made, Material&) {
+                 punctual(made);
+                 addPointLight(made.scene, {-1, 2, -2}, 3.0f);
+             });
+         }},
         {"many_lights", [] { return ballScene([](PathScene& made, Material&) { manyLights(made); }); }},
         {"many_lights_by_bsdf",
          [] { return ballScene([](PathScene& made, Material&) { manyLights(made); }); },

@@ -169,19 +169,20 @@ TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
     expectSameFilm(sides.onDevice(kDefaultTraversal, work).film.pixels, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, PathGpuFile,
-                         testing::Values(FileScene{"cornell", "scenes/cornell.glb"},
-                                         FileScene{"degenerate", "scenes/degenerate.glb"},
-                                         FileScene{"objects", "scenes/objects.glb"},
-                                         FileScene{"shared_cornell", "gltf/CornellBox.glb"},
-                                         FileScene{"helmet", "gltf/DamagedHelmet.glb"},
-                                         FileScene{"spheres", "gltf/MetalRoughSpheresNoTextures.glb"},
-                                         FileScene{"transmission", "gltf/TransmissionTest.glb"},
-                                         FileScene{"clear_coat", "gltf/ClearCoatTest.glb"},
-                                         FileScene{"alpha_blend", "gltf/AlphaBlendModeTest.glb"},
-                                         FileScene{"lamp",
-                                                   "gltf/LightsPunctualLamp/LightsPunctualLamp.gltf"}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Files, PathGpuFile,
+    testing::Values(FileScene{"cornell", "scenes/cornell.glb"},
+                    FileScene{"degenerate", "scenes/degenerate.glb"},
+                    FileScene{"objects", "scenes/objects.glb"}, FileScene{"lamps", "scenes/lamps.glb"},
+                    FileScene{"interior", "scenes/interior.glb"},
+                    FileScene{"shared_cornell", "gltf/CornellBox.glb"},
+                    FileScene{"helmet", "gltf/DamagedHelmet.glb"},
+                    FileScene{"spheres", "gltf/MetalRoughSpheresNoTextures.glb"},
+                    FileScene{"transmission", "gltf/TransmissionTest.glb"},
+                    FileScene{"clear_coat", "gltf/ClearCoatTest.glb"},
+                    FileScene{"alpha_blend", "gltf/AlphaBlendModeTest.glb"},
+                    FileScene{"lamp", "gltf/LightsPunctualLamp/LightsPunctualLamp.gltf"}),
+    [](const auto& instance) { return instance.param.name; });
 
 } // namespace
 } // namespace metamarch::tests

@@ -54,6 +54,35 @@ TEST(PathLight, directionalLightFallsWithTheCosine) {
     }
 }
 
+// Points and spots of a tree of lights add up. One spot shines on the floor at a flat angle to its axis, and
+// a bright point is hidden by a plate.
+TEST(PathLight, treeOfPointsAndSpotsAddsUp) {
+    PathScene made = floorScene();
+    double expected = 0.0;
+    const auto add = [&](const glm::vec3 position, const float candela) {
+        const double distance = glm::length(position);
+        expected += kInverse * candela * position.y / std::pow(distance, 3.0);
+        addPointLight(made.scene, position, candela);
+    };
+    add({0, 1, 0}, 1.0f);
+    add({1, 2, 0.5f}, 3.0f);
+    add({-2, 0.5f, 1}, 20.0f);
+    add({-2.1f, 0.5f, 1}, 10.0f);
+    PunctualLight spot;
+    spot.type = PunctualLight::Type::spot;
+    spot.position = {1, 1, -1};
+    spot.direction = glm::normalize(glm::vec3(1, 0.1f, 0)); // 1.2 radians away from the floor's point
+    spot.intensity = 8.0f;
+    spot.innerConeAngle = 2.3f;
+    spot.outerConeAngle = 2.4f;
+    made.scene.lights.push_back(spot);
+    expected += kInverse * 8.0 / std::pow(3.0, 1.5);
+    addPointLight(made.scene, {0.3f, 3, 0}, 100.0f);
+    addQuad(made.scene, {0.1f, 2.5f, 0.2f}, {0.4f, 0, 0}, {0, 0, -0.4f},
+            addMaterial(made.scene, lambert(glm::vec3(0))));
+    EXPECT_NEAR(floorAt(made, 0.0f, 0.0f, {.samples = 1024, .maxBounces = 0}), expected, 0.015 * expected);
+}
+
 // By KHR_lights_punctual, the falloff is the square of (cos - cos outer) / (cos inner - cos outer).
 TEST(PathLight, spotFadesBetweenItsCones) {
     PathScene made = floorScene();

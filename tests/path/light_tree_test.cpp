@@ -99,6 +99,7 @@ std::vector<PlacedLight> cloud(const std::size_t count) {
             light.spread = 1.0;
         }
         if (i % 4 == 1) {
+            light.spread = i % 8 == 1 ? 1.0 : 0.3;
             light.end = 0.6;
         } else if (i % 4 != 0) {
             const glm::dvec3 side = glm::cross(light.axis, direction());
@@ -111,31 +112,34 @@ std::vector<PlacedLight> cloud(const std::size_t count) {
 }
 
 // Whatever gives light to a surface can be chosen for it.
-TEST(LightTree, leavesOutNoLight) {
-    const std::vector<PlacedLight> lights = cloud(300);
-    const ShadingScene scene = sceneOf(lights);
-    const std::vector<std::uint32_t> branches = makeLightTree(lights).branches;
+void expectNoLightLeftOut(const double scale) {
+    std::vector<PlacedLight> lights = cloud(300);
+    for (PlacedLight& light : lights) {
+        for (glm::dvec3& corner : light.corners) {
+            corner *= scale;
+        }
+    }
+    ShadingScene scene = sceneOf(lights);
+    // Every light gets a triangle, by which emitterChance finds its branches.
+    for (const std::uint32_t branches : makeLightTree(lights).branches) {
+        Emitter emitter{};
+        emitter.triangleId = 2 * scene.settings.emitterCount++;
+        emitter.branches = branches;
+        scene.emitters.push_back(emitter);
+    }
     std::mt19937 random(3);
     std::normal_distribution<double> normal(0.0, 1.0);
     std::uniform_real_distribution<double> even(0.0, 1.0);
     int seen = 0;
     for (int i = 0; i < 200; ++i) {
-        const glm::vec3 position(3.0 * glm::dvec3(normal(random), normal(random), normal(random)));
+        const glm::vec3 position(scale * 3.0 * glm::dvec3(normal(random), normal(random), normal(random)));
         const glm::vec3 up(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
         const LightReceiver to(position, i % 2 == 0 ? up : glm::vec3(0.0f));
         double sum = 0.0;
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            // The walk of emitterChance.
-            double probability = 1.0;
-            LightNode node = scene.lightNodes[0];
-            for (std::uint32_t way = branches[k]; (node.axis & kLightLeaf) == 0u; way >>= 1u) {
-                const LightNode& first = scene.lightNodes[node.link];
-                const LightNode& second = scene.lightNodes[node.link + 1];
-                const double split = firstChildProbability(first, second, to);
-                probability *= split < 0.0 ? 0.0 : (way & 1u) == 0u ? split : 1.0 - split;
-                node = (way & 1u) == 0u ? first : second;
-            }
-            ASSERT_EQ(node.link, k);
+            const EmitterChance chance = emitterChance(scene, scene.settings, to, static_cast<uint>(2 * k));
+            ASSERT_TRUE(chance.isWhole);
+            const double probability = chance.probability;
             sum += probability;
             const PlacedLight& light = lights[k];
             const double a = even(random);
@@ -144,9 +148,10 @@ TEST(LightTree, leavesOutNoLight) {
                 light.corners[0] * (1.0 - a - b) + light.corners[1] * a + light.corners[2] * b;
             const glm::dvec3 wi = glm::normalize(at - glm::dvec3(position));
             const double along = -glm::dot(light.axis, wi);
-            const double emitted = light.spread < 0.0 ? 1.0 : light.isTwoSided ? std::abs(along) : along;
+            const double angle = std::acos(std::clamp(light.isTwoSided ? std::abs(along) : along, -1.0, 1.0));
+            const double end = std::acos(light.spread) + std::acos(light.end);
             const double received = i % 2 == 0 ? glm::dot(wi, glm::dvec3(up)) : 1.0;
-            if (emitted > light.end + 1e-3 && received > 1e-3) {
+            if (angle < end - 1e-3 && received > 1e-3) {
                 ++seen;
                 EXPECT_GT(probability, 0.0) << "light " << k << " from point " << i;
             }
@@ -154,6 +159,18 @@ TEST(LightTree, leavesOutNoLight) {
         EXPECT_LE(sum, 1.0001); // a walk may end between lights that give nothing
     }
     EXPECT_GT(seen, 5000);
+}
+
+TEST(LightTree, leavesOutNoLight) { expectNoLightLeftOut(1.0); }
+TEST(LightTree, leavesOutNoLightOfSmallScenes) { expectNoLightLeftOut(1e-6); }
+TEST(LightTree, leavesOutNoLightOfLargeScenes) { expectNoLightLeftOut(1e6); }
+
+// The strong light may be occluded, so the other must be drawn now and then.
+TEST(LightTree, choosesWeakLightsToo) {
+    const auto found =
+        probabilitiesAt(sceneOf({pointLight({-1, 0, 0}, 1e9), pointLight({1, 0, 0}, 1.0)}), kAround);
+    EXPECT_EQ(found.at(1), kLeastChildProbability);
+    EXPECT_EQ(found.at(0), 1.0f - kLeastChildProbability);
 }
 
 TEST(LightTree, drawsAsOftenAsItSays) {

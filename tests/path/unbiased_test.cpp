@@ -107,8 +107,8 @@ PathScene quadsOverFloor() {
     return made;
 }
 
-// Returns lamps of many triangles and punctual lights, among which the tree of lights chooses, around a
-// glossy box. Two of them shine to both sides, one of them away from all.
+// Returns lamps of many triangles, among which the tree of lights chooses, around a glossy box. Two of them
+// shine to both sides, and one shines away from all.
 PathScene manyLamps() {
     PathScene made;
     Scene& scene = made.scene;

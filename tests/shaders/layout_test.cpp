@@ -152,7 +152,7 @@ const StructLayout kStructs[] = {
     {"LightNode",
      sizeof(LightNode),
      {MEMBER(LightNode, center), MEMBER(LightNode, radius), MEMBER(LightNode, axis),
-      MEMBER(LightNode, cosines), MEMBER(LightNode, intensity), MEMBER(LightNode, link)}},
+      MEMBER(LightNode, angles), MEMBER(LightNode, intensity), MEMBER(LightNode, link)}},
     {"TableEntry",
      sizeof(TableEntry),
      {MEMBER(TableEntry, from), MEMBER(TableEntry, upTo), MEMBER(TableEntry, probability),

@@ -173,12 +173,14 @@ bool isPlaced(const LightRecord& light) { return light.kind == kLightPoint || li
 PlacedLight placedPunctual(const LightRecord& light) {
     const glm::dvec3 position(light.position);
     const bool isSpot = light.kind == kLightSpot;
-    // Where the falloff is 0: see makeSpotFalloff.
-    const double outer = isSpot ? -light.offset / light.scale : -1.0;
+    // The cosines of the cones of a spot: see makeSpotFalloff.
+    const double outer = -double{light.offset} / light.scale;
+    const double inner = outer + 1.0 / light.scale;
+    const auto angle = [](const double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); };
     return {.corners = {position, position, position},
             .axis = glm::normalize(glm::dvec3(light.direction)),
-            .spread = isSpot ? 1.0 : -1.0,
-            .end = outer,
+            .spread = isSpot ? inner : -1.0,
+            .end = isSpot ? std::cos(angle(outer) - angle(inner)) : 0.0,
             .intensity = luminance(light.strength)};
 }
 

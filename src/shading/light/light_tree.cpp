@@ -183,19 +183,21 @@ class Builder {
         const glm::dvec3 axis(unpackAxis(node.axis));
         const glm::dvec3 center(node.center);
         double squaredRadius = 0.0;
-        double spread = 1.0;
-        double end = 1.0;
+        double spread = 0.0;
+        double end = 0.0;
         for (const std::uint32_t i : part) {
             const PlacedLight& light = lights_[i];
             for (const glm::dvec3& corner : light.corners) {
                 squaredRadius = std::max(squaredRadius, glm::dot(corner - center, corner - center));
             }
             const double along = glm::dot(light.axis, axis);
-            spread = std::min({spread, isTwoSided ? std::abs(along) : along, light.spread});
-            end = std::min(end, light.end);
+            spread = std::max(spread, std::acos(std::clamp(isTwoSided ? std::abs(along) : along, -1.0, 1.0)) +
+                                          groups_[i].cone.spread);
+            end = std::max(end, groups_[i].end);
         }
         node.radius = static_cast<float>(std::sqrt(squaredRadius) * (1.0 + 1e-6));
-        node.cosines = packCosines(static_cast<float>(spread), static_cast<float>(end));
+        node.angles = packAngles(static_cast<float>(std::cos(std::min(spread, std::numbers::pi))),
+                                 static_cast<float>(std::cos(end)));
         node.intensity = static_cast<float>(intensity);
         node.axis |= isTwoSided ? kLightTwoSided : 0u;
         return node;
@@ -265,10 +267,7 @@ class Builder {
         const std::size_t half = part.size() / 2;
         const double longest = std::max({size.x, size.y, size.z});
         const int axis = size.x == longest ? 0 : size.y == longest ? 1 : 2;
-        std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
-                         [&](const std::uint32_t i, const std::uint32_t j) {
-                             return std::pair(centers_[i][axis], i) < std::pair(centers_[j][axis], j);
-                         });
+        std::ranges::sort(part, {}, [&](const std::uint32_t i) { return std::pair(centers_[i][axis], i); });
         return half;
     }
 

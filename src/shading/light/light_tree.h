@@ -14,8 +14,10 @@ namespace metamarch {
 struct PlacedLight {
     std::array<glm::dvec3, 3> corners; // of the emitter; three times the position of a punctual light
     glm::dvec3 axis;                   // unit length: the normal, or where a spot shines
-    double spread = 1.0;               // cosine; -1 for a light that shines equally in all directions
-    double end = 0.0;                  // cosine of the largest angle between the axis and light
+    // Cosines. The light is at its full intensity within `spread` of the axis. It ends at the angle `end`
+    // beyond that. An emitter has 1 and 0; a light that shines equally in all directions has a spread of -1.
+    double spread = 1.0;
+    double end = 0.0;
     bool isTwoSided = false;
     double intensity = 0.0; // W/sr along the axis, above 0
 };
