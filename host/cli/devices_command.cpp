@@ -47,6 +47,12 @@ std::string rayQueryText(const DeviceReport& report) {
                                               fmt::join(report.missingForRayQuery, ", "));
 }
 
+std::string floatModesText(const vulkan::FloatModes& modes) {
+    return fmt::format("{}, {}", modes.roundsToNearestEven ? "rounds to nearest even" : "may round anyhow",
+                       modes.keepsSignsInfinitiesAndNans ? "keeps -0, infinities and NaN"
+                                                         : "may lose -0, infinities and NaN");
+}
+
 void printReport(const DeviceReport& report, bool isDefault) {
     printResult(fmt::format("{} {}  {}\n", isDefault ? "*" : " ", report.index, report.name));
     printLine("usable", usableText(report, isDefault));
@@ -66,6 +72,7 @@ void printReport(const DeviceReport& report, bool isDefault) {
     printLine("maxComputeWorkGroupSize[0]", fmt::to_string(report.maxComputeWorkGroupSizeX));
     printLine("maxComputeWorkGroupCount[0]", fmt::to_string(report.maxComputeWorkGroupCount[0]));
     printLine("subgroup size", fmt::to_string(report.subgroupSize));
+    printLine("floats", floatModesText(report.floatModes));
     printLine("timestamps", timestampText(report));
     printLine("ray queries", rayQueryText(report));
 }
@@ -92,6 +99,8 @@ nlohmann::ordered_json toJson(const DeviceReport& report, bool isDefault) {
             {"maxComputeWorkGroupSizeX", report.maxComputeWorkGroupSizeX},
             {"maxComputeWorkGroupCount", report.maxComputeWorkGroupCount},
             {"subgroupSize", report.subgroupSize},
+            {"roundsToNearestEven", report.floatModes.roundsToNearestEven},
+            {"keepsSignsInfinitiesAndNans", report.floatModes.keepsSignsInfinitiesAndNans},
             {"timestampValidBits", report.timestampValidBits},
             {"timestampPeriod", report.timestampPeriod},
             {"rayQuery", report.hasRayQuery()},

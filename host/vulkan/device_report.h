@@ -2,6 +2,7 @@
 // The properties of a device, those of its limits that we depend on, and the reasons why we refuse it.
 #pragma once
 #include "metamarch/vulkan/context.h"
+#include "metamarch/vulkan/float_modes.h"
 
 #include <array>
 #include <cstdint>
@@ -44,6 +45,7 @@ struct DeviceReport {
     uint32_t maxPerStageDescriptorSampledImages = 0; // texel buffers count
     uint32_t maxPushConstantsSize = 0;               // bytes
     uint32_t subgroupSize = 0;                       // invocations
+    FloatModes floatModes;                           // which of them every kernel can have
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.
     std::vector<std::string> missingForRayQuery; // extensions and features; empty: ray queries are available

@@ -95,7 +95,8 @@ void main() {
         }
     }
     // A sample that the driver ends early is taken again, and counts once.
-    PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
+    precise PathSample taken =
+        startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
     uint turns = 0u;
 
@@ -115,7 +116,7 @@ void main() {
                 taken = afterLeaving(taken, leaveScene(settings, path));
             } else {
                 const TriangleRecord triangle = loadTriangle(trace.recordIndex);
-                const float t = ray.shift + trace.hit.t;
+                const precise float t = ray.shift + trace.hit.t;
                 const PathStep step = meetSurface(settings, path, ray, t, triangle, inWay, taken.at);
                 taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
                 isWhole = isWhole && step.isWhole;
@@ -153,8 +154,10 @@ void main() {
         was = film[index];
     }
     ADD_COUNT(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
-    ADD_COUNT(status.steps, uint(sum.steps - was.steps));
-    ADD_COUNT(status.tests, uint(sum.tests - was.tests));
+    const precise float steps = sum.steps - was.steps;
+    const precise float tests = sum.tests - was.tests;
+    ADD_COUNT(status.steps, uint(steps));
+    ADD_COUNT(status.tests, uint(tests));
     film[index] = sum;
     if (push.isFresh != 0u && push.firstSample == 0u) {
         total[index].samples = 0u;

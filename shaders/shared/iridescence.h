@@ -16,7 +16,9 @@ struct Fringe {
 
 // `cycles` and `width` are per nanometre of path difference.
 SHARED_FN Fringe fringeAt(const float pathDifference, const float cycles, const float width) {
-    const float cosine = circlePoint(cycles * pathDifference).x;
+    const float turns = cycles * pathDifference;
+    const vec2 point = circlePoint(turns);
+    const float cosine = point.x;
     const float decay = exponential(-squared(width * pathDifference));
     return Fringe(cosine, decay);
 }

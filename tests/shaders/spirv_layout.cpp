@@ -44,6 +44,8 @@ void readInstruction(const spv::Op op, const std::span<const std::uint32_t> oper
             layout.arrays[operands[0]].stride = operands[2];
         } else if (operands[1] == spv::DecorationBlock) {
             layout.structs[operands[0]].isBlock = true;
+        } else if (operands[1] == spv::DecorationNoContraction) {
+            layout.exactIds.insert(operands[0]);
         }
         break;
     case spv::OpTypeInt:
@@ -71,6 +73,20 @@ void readInstruction(const spv::Op op, const std::span<const std::uint32_t> oper
     case spv::OpVariable:
         layout.storageBuffers += operands[2] == spv::StorageClassStorageBuffer ? 1 : 0;
         layout.texelBuffers += operands[2] == spv::StorageClassUniformConstant ? 1 : 0;
+        break;
+    case spv::OpFAdd:
+    case spv::OpFSub:
+    case spv::OpFMul:
+    case spv::OpFDiv:
+    case spv::OpFRem:
+    case spv::OpFMod:
+    case spv::OpDot:
+    case spv::OpVectorTimesScalar:
+    case spv::OpMatrixTimesScalar:
+    case spv::OpVectorTimesMatrix:
+    case spv::OpMatrixTimesVector:
+    case spv::OpMatrixTimesMatrix:
+        ++(layout.exactIds.contains(operands[1]) ? layout.exactFloatOperations : layout.looseFloatOperations);
         break;
     default:
         break;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Reads the memory layout of buffers that a SPIR-V module declares.
+// Reads what a SPIR-V module declares: the memory layout of its buffers, and which float operations are
+// exact.
 #pragma once
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,7 +36,10 @@ struct SpirvLayout {
     std::map<std::uint32_t, SpirvArray> arrays;     // [type id]; of fixed and of runtime length
     std::map<std::uint32_t, std::uint32_t> numbers; // [type id]; sizes in bytes of scalars and vectors
     std::uint32_t storageBuffers = 0;
-    std::uint32_t texelBuffers = 0; // also the hierarchies of ray queries
+    std::uint32_t texelBuffers = 0;   // also the hierarchies of ray queries
+    std::set<std::uint32_t> exactIds; // results that a driver may neither contract nor reorder
+    std::uint32_t exactFloatOperations = 0;
+    std::uint32_t looseFloatOperations = 0;
 };
 
 // Throws std::runtime_error if the words are not a module.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The SPIR-V that the program holds, judged by the validator of Khronos.
 #include "metamarch/shaders/shader_library.h"
+#include "metamarch/vulkan/float_modes.h"
+#include "shaders/spirv_layout.h"
 
 #include <gtest/gtest.h>
 
-#include <spirv-tools/libspirv.hpp>
 #include <span>
+#include <spirv-tools/libspirv.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace metamarch {
@@ -36,6 +39,44 @@ TEST(Spirv, isJudgedByAValidatorThatFindsFaults) {
     std::vector<uint32_t> cut(words.begin(), words.end());
     cut.pop_back();
     EXPECT_NE(faultsOf(cut), "");
+}
+
+// A driver may contract or reorder what is not `precise`, and then its bits differ from the CPU's.
+TEST(Spirv, hasNoFloatOperationThatMayBeContracted) {
+    std::uint32_t exact = 0;
+    for (const Shader& shader : shaders()) {
+        const SpirvLayout layout = readLayout(shader.spirv);
+        EXPECT_EQ(layout.looseFloatOperations, 0u) << shader.kernel << ' ' << shader.traversal;
+        exact += layout.exactFloatOperations;
+    }
+    EXPECT_GT(exact, 0u);
+}
+
+class FloatModesOf : public testing::TestWithParam<vulkan::FloatModes> {};
+
+TEST_P(FloatModesOf, leaveAModuleValid) {
+    const vulkan::FloatModes& modes = GetParam();
+    std::string_view before;
+    for (const Shader& shader : shaders()) {
+        if (shader.kernel != before) { // one of each kernel
+            const std::vector<uint32_t> words = withFloatModes(shader.spirv, modes);
+            EXPECT_EQ(faultsOf(words), "") << shader.kernel;
+            const std::size_t added = 6 * (modes.roundsToNearestEven + modes.keepsSignsInfinitiesAndNans);
+            EXPECT_EQ(words.size(), shader.spirv.size() + added) << shader.kernel;
+            before = shader.kernel;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Devices, FloatModesOf,
+                         testing::Values(vulkan::FloatModes{false, false}, vulkan::FloatModes{true, false},
+                                         vulkan::FloatModes{false, true}, vulkan::FloatModes{true, true}));
+
+TEST(FloatModes, changeNothingInADamagedModule) {
+    const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0,
+                                           1,           0,           15}; // an instruction of no words
+    EXPECT_EQ(vulkan::withFloatModes(damaged, {true, true}), damaged);
+    EXPECT_EQ(vulkan::withFloatModes({}, {true, true}), std::vector<uint32_t>());
 }
 
 } // namespace

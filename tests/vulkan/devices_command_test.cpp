@@ -41,6 +41,8 @@ TEST(DevicesCommand, jsonHasTheLimitsOfTheDefaultDevice) {
     EXPECT_EQ(device.at("rayQuery"), expected.hasRayQuery());
     EXPECT_EQ(device.at("missingForRayQuery").empty(), expected.hasRayQuery());
     EXPECT_EQ(device.at("maxStorageBufferRange"), expected.maxStorageBufferRange);
+    EXPECT_EQ(device.at("roundsToNearestEven"), expected.floatModes.roundsToNearestEven);
+    EXPECT_EQ(device.at("keepsSignsInfinitiesAndNans"), expected.floatModes.keepsSignsInfinitiesAndNans);
 }
 
 } // namespace
