@@ -126,6 +126,7 @@ bool Buffer::Handles::allocate(const vk::MemoryRequirements& needs, const Buffer
         spilled = isHost && !isMapped(use) ? needs.size : 0;
         device.memoryUse().ofHeap[heap] += taken;
         device.memoryUse().spilled += spilled;
+        ++device.memoryUse().allocations;
         return true;
     }
     return false;

@@ -5,6 +5,7 @@
 #include "metamarch/vulkan/device_choice.h"
 #include "metamarch/vulkan/pipeline_cache.h"
 #include "metamarch/vulkan/refusal.h"
+#include "metamarch/vulkan/transfer.h"
 
 #include <fmt/format.h>
 #include <vulkan/vulkan_raii.hpp>
@@ -82,6 +83,7 @@ struct Device::Handles {
     PipelineCache pipelineCache;
     CompiledKernels kernels;
     MemoryUse memoryUse;
+    std::unique_ptr<Staging> staging; // made by the first transfer
 };
 
 Device::Device(const Context& context, const std::string& selection, const PresentSupport& presents)
@@ -91,7 +93,9 @@ Device::Device(const Context& context, DeviceReport report)
     : report_(std::move(report)),
       handles_(std::make_unique<Handles>(context.physicalDevices()[report_.index], report_)) {}
 
-Device::~Device() = default;
+Device::~Device() {
+    handles_->staging.reset(); // it uses the rest
+}
 
 const vk::raii::Device& Device::handle() const { return handles_->device; }
 const vk::raii::PhysicalDevice& Device::physicalDevice() const { return handles_->physicalDevice; }
@@ -107,6 +111,13 @@ const vk::PhysicalDeviceMemoryProperties& Device::memoryProperties() const {
 }
 
 MemoryUse& Device::memoryUse() const { return handles_->memoryUse; }
+
+Staging& Device::staging() const {
+    if (!handles_->staging) {
+        handles_->staging = std::make_unique<Staging>(*this);
+    }
+    return *handles_->staging;
+}
 
 uint64_t Device::freeMemory() const {
     const vk::PhysicalDeviceMemoryProperties& memory = memoryProperties();

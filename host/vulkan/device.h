@@ -13,11 +13,13 @@ namespace metamarch::vulkan {
 
 struct CompiledKernel;
 struct KernelSource;
+class Staging;
 
 // What the buffers of a device take of its memory, in bytes.
 struct MemoryUse {
     std::array<uint64_t, VK_MAX_MEMORY_HEAPS> ofHeap{};
-    uint64_t spilled = 0; // of buffers that found no place in device-local memory
+    uint64_t spilled = 0;     // of buffers that found no place in device-local memory
+    uint64_t allocations = 0; // a number: how many there have been
 };
 
 // Opens the device that `selection` names (see chooseDevice; empty: the best one). Enables no optional
@@ -45,6 +47,7 @@ class Device {
     std::shared_ptr<const CompiledKernel> compile(KernelSource source) const;
     const vk::PhysicalDeviceMemoryProperties& memoryProperties() const;
     MemoryUse& memoryUse() const; // each Buffer adds what it takes
+    Staging& staging() const;     // for transfers
     // Bytes of the largest device-local heap that are probably free: what the driver grants this process, or,
     // without VK_EXT_memory_budget, what our own buffers leave of the heap.
     uint64_t freeMemory() const;

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/transfer.h"
 
-#include "metamarch/vulkan/submission.h"
-
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace metamarch::vulkan {
+
+const Buffer& Staging::grown(std::optional<Buffer>& buffer, const BufferUse use, const uint64_t size) {
+    if (!buffer || buffer->size() < size) {
+        buffer.reset(); // the old memory makes room for the new
+        buffer.emplace(device_, use, std::bit_ceil(size), "staging");
+    }
+    return *buffer;
+}
 
 void write(const Device& device, const Buffer& buffer, uint64_t offset, std::span<const std::byte> data) {
     if (data.empty()) {
         return;
     }
-    const Buffer staging(device, BufferUse::upload, std::min<uint64_t>(data.size(), kTransferChunkSize),
-                         buffer.name() + " (staging)");
-    Submission submission(device);
+    const Buffer& staging = device.staging().toDevice(std::min<uint64_t>(data.size(), kTransferChunkSize));
     while (!data.empty()) {
         const uint64_t size = std::min<uint64_t>(data.size(), staging.size());
         std::memcpy(staging.mapped().data(), data.data(), size);
-        submission.run([&](Commands& commands) { commands.copy(staging, 0, buffer, offset, size); });
+        device.staging().submission().run(
+            [&](Commands& commands) { commands.copy(staging, 0, buffer, offset, size); });
         data = data.subspan(size);
         offset += size;
     }
@@ -28,12 +34,11 @@ void read(const Device& device, const Buffer& buffer, uint64_t offset, std::span
     if (data.empty()) {
         return;
     }
-    const Buffer staging(device, BufferUse::readback, std::min<uint64_t>(data.size(), kTransferChunkSize),
-                         buffer.name() + " (staging)");
-    Submission submission(device);
+    const Buffer& staging = device.staging().fromDevice(std::min<uint64_t>(data.size(), kTransferChunkSize));
     while (!data.empty()) {
         const uint64_t size = std::min<uint64_t>(data.size(), staging.size());
-        submission.run([&](Commands& commands) { commands.copy(buffer, offset, staging, 0, size); });
+        device.staging().submission().run(
+            [&](Commands& commands) { commands.copy(buffer, offset, staging, 0, size); });
         std::memcpy(data.data(), staging.mapped().data(), size);
         data = data.subspan(size);
         offset += size;

@@ -37,6 +37,21 @@ TEST(Transfer, crossesSeveralChunks) {
     EXPECT_TRUE(download<uint32_t>(testDevice(), buffer) == values);
 }
 
+TEST(Transfer, reusesItsMemory) {
+    std::vector<uint32_t> values = pattern(1001);
+    const Buffer buffer = upload(testDevice(), std::span(values), "values");
+    EXPECT_EQ(download<uint32_t>(testDevice(), buffer), values);
+    const uint64_t before = testDevice().memoryUse().allocations;
+    for (int i = 0; i < 3; ++i) {
+        ++values[500];
+        write(testDevice(), buffer, 0, std::as_bytes(std::span(values)));
+        EXPECT_EQ(download<uint32_t>(testDevice(), buffer), values);
+    }
+    EXPECT_EQ(testDevice().memoryUse().allocations, before);
+    const Buffer more(testDevice(), BufferUse::storage, 4, "more");
+    EXPECT_EQ(testDevice().memoryUse().allocations, before + 1);
+}
+
 TEST(Transfer, takesAnyNumberOfBytes) {
     const std::vector<uint8_t> bytes = {1, 2, 3, 4, 5};
     const Buffer buffer = upload(testDevice(), std::span(bytes), "bytes");
