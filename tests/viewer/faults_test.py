@@ -21,6 +21,15 @@ class FaultsTest(ViewerTest):
                 self.assert_shows(viewer, picture)
                 self.quit(viewer)
 
+    def test_a_film_that_fits_into_little_memory(self):
+        """A sixth of the memory holds half of the window's width and height. The film is shown enlarged."""
+        width, height, pixels = self.render(CORNELL, "--spp", "4", size="80x60")
+        rows = [b"".join(pixels[at:at + 3] * 2 for at in range(3 * width * y, 3 * width * (y + 1), 3)) for y in range(height)]
+        viewer = self.open(CORNELL, "--spp", "4", environment=faults("deviceHeap=8388608"))
+        viewer.wait_for_title(r"cornell.glb - path, 4 of 4 samples - meta_table - metamarch")
+        self.assert_shows(viewer, (2 * width, 2 * height, b"".join(row * 2 for row in rows)))
+        self.quit(viewer)
+
 
 if __name__ == "__main__":
     main()
