@@ -12,12 +12,12 @@
 #include "metamarch/file/output_file.h"
 #include "metamarch/file/standard_stream.h"
 #include "metamarch/render/prepared_scene.h"
+#include "metamarch/render/traversal_choice.h"
 #include "metamarch/scene/import.h"
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/shaders/shader_library.h"
 #ifdef METAMARCH_EMBREE
 #include "metamarch/bench/embree_peer.h"
-#include "metamarch/render/traversal_choice.h"
 #endif
 
 #include <fmt/format.h>

@@ -150,12 +150,16 @@ void Presenter::startPanels() {
     info.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
     ImGui_ImplVulkan_Init(&info, *renderPass);
 
+#if IMGUI_VERSION_NUM >= 19000 // it has a command buffer of its own
+    ImGui_ImplVulkan_CreateFontsTexture();
+#else
     commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     ImGui_ImplVulkan_CreateFontsTexture(*commandBuffer);
     commandBuffer.end();
     device.queue().submit(vk::SubmitInfo({}, {}, *commandBuffer));
     device.queue().waitIdle();
     ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
 }
 
 bool Presenter::beginFrame() {
