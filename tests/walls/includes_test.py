@@ -48,8 +48,10 @@ def complaint(libraries, library, targets, file, bracket, header):
     if bracket == '"':
         if library.name == "shared":
             return None if (library.folder / header).is_file() else "no header of shared has this name"
-        # The build writes this header for one file.
-        return None if header == "git_commit.h" and str(file).endswith(VERSIONS) else "not a path from metamarch/"
+        # The build writes these headers, each for one file.
+        is_written = (header == "git_commit.h" and str(file).endswith(VERSIONS)
+                      or library.name == "shaders" and header == Path(file).stem + ".h")
+        return None if is_written else "not a path from metamarch/"
     if re.fullmatch(r"[a-z0-9_]+", header) or header.startswith(tuple(POSIX)):
         return None
     for beginning, target, users in OTHERS:
