@@ -34,6 +34,7 @@ struct ViewOptions : PictureOptions {
     std::string shown; // a name of render::kViewNames; empty: the picture
     std::string shaderFolder;
     bool hasNoPanels = false;
+    bool hasTour = false;
 };
 
 #ifdef METAMARCH_HAS_VIEWER
@@ -68,6 +69,16 @@ viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene, 
     return camera;
 }
 
+// Returns the scene of the source tree that the program was built from.
+std::filesystem::path tourScene() {
+    std::error_code error;
+    if (!std::filesystem::exists(METAMARCH_TOUR_SCENE, error)) {
+        throw Error(ErrorKind::invalidArgument,
+                    fmt::format("--tour needs a SCENE: {} is not there", METAMARCH_TOUR_SCENE));
+    }
+    return METAMARCH_TOUR_SCENE;
+}
+
 void runView(const ViewOptions& options) {
     checkStructure(options.structure);
     std::error_code error;
@@ -78,6 +89,10 @@ void runView(const ViewOptions& options) {
     viewer::ViewerOptions request;
     request.size = options.size;
     request.scene.file = options.scenePath;
+    request.hasTour = options.hasTour;
+    if (options.hasTour && options.scenePath.empty()) {
+        request.scene.file = tourScene();
+    }
     request.scene.structure = options.structure;
     viewer::Settings& settings = request.settings;
     settings.import = options.import;
@@ -86,7 +101,7 @@ void runView(const ViewOptions& options) {
     settings.samples = options.samplesPerPixel;
     settings.pixelFilter = options.view.lens.pixelFilter;
     settings.tone = options.tone;
-    settings.hasPanels = !options.hasNoPanels;
+    settings.hasPanels = !options.hasNoPanels && !options.hasTour;
     settings.traversal = options.traversal.empty()
                              ? std::string(render::marchingTraversal(request.scene.structure.table))
                              : options.traversal;
@@ -126,6 +141,8 @@ Command makeViewCommand() {
         .optional();
     settings.size("size", options->size, "Width and height of the window");
     settings.flag("no-panels", options->hasNoPanels, "Begin without panels (Tab shows them)");
+    settings.flag("tour", options->hasTour,
+                  "Explain in ten screens how rays find triangles (default SCENE: the shipped one)");
     declareCamera(settings, options->view);
     declareTone(settings, options->tone);
     settings.beginGroup("Device");

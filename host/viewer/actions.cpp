@@ -3,6 +3,7 @@
 
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/shaders/shader_library.h"
+#include "metamarch/viewer/tour.h"
 
 #include <fmt/format.h>
 
@@ -118,6 +119,13 @@ void turnView(Settings& settings, const int by) {
     settings.view = next == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(next - 1));
 }
 
+// Goes to another screen of the tour, and begins the tour where there is none.
+void turnScreen(ViewerState& state, const int by) {
+    const int last = static_cast<int>(tour().size()) - 1;
+    const int index = state.tourScreen ? static_cast<int>(*state.tourScreen) + by : 0;
+    showTourScreen(state, static_cast<std::size_t>(std::clamp(index, 0, last)));
+}
+
 } // namespace
 
 float distanceTo(const Bounds& scene, const glm::vec3& eye) {
@@ -207,6 +215,15 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         return true;
     case Action::togglePanels:
         settings.hasPanels = !settings.hasPanels;
+        return true;
+    case Action::nextScreen:
+        turnScreen(state, 1);
+        return true;
+    case Action::previousScreen:
+        turnScreen(state, -1);
+        return true;
+    case Action::showScreenAgain:
+        turnScreen(state, 0);
         return true;
     case Action::printCamera:
     case Action::saveMarch:

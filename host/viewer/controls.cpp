@@ -44,6 +44,7 @@ constexpr KeyHelp kHelp[] = {
     {"- =", "exposure"},
     {"Space", "play the march, or else the animations; pause"},
     {"Left Right", "a step of the march, or else a 24th of a second, back or on"},
+    {"Page Up, Page Down", "the tour: a screen back or on"},
     {"P, Shift+P", "save the picture (PNG); all that the window shows"},
     {"Ctrl+S", "save the film (EXR)"},
     {"Ctrl+P", "save each step of the march (PNG)"},
@@ -235,6 +236,12 @@ void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
         if (isShifted) {
             actions.push_back(Action::toggleHelp);
         }
+        break;
+    case GLFW_KEY_PAGE_DOWN:
+        actions.push_back(Action::nextScreen);
+        break;
+    case GLFW_KEY_PAGE_UP:
+        actions.push_back(Action::previousScreen);
         break;
     case GLFW_KEY_SPACE:
         actions.push_back(Action::togglePlay);

@@ -16,6 +16,7 @@
 #include "metamarch/viewer/scene_source.h"
 #include "metamarch/viewer/shader_reload.h"
 #include "metamarch/viewer/split_view.h"
+#include "metamarch/viewer/tour.h"
 #include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
@@ -99,6 +100,7 @@ class Viewer {
             keepStep();
             if (!isSavingMarch) {
                 drawPanels(state);
+                drawTour(state);
             }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
@@ -166,7 +168,8 @@ class Viewer {
     }
 
     void showScene(std::shared_ptr<const LoadedScene> loaded) {
-        const bool isOther = !state.scene || state.scene->request.file != loaded->request.file;
+        const bool isFirst = !state.scene;
+        const bool isOther = isFirst || state.scene->request.file != loaded->request.file;
         state.size = presenter.size();
         const ViewCamera camera = cameraFor(*loaded); // throws for a camera that the scene does not have
         auto next = std::make_unique<render::DeviceScene>(device, loaded->shown);
@@ -187,6 +190,9 @@ class Viewer {
             recentFiles.add(state.file);
             state.history.start(camera);
             state.playback.isPlaying = false;
+        }
+        if (isFirst && options.hasTour) {
+            showTourScreen(state, 0);
         }
         state.statistics.deviceBytes = deviceScene->bytes();
         isStale = true;

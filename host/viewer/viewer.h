@@ -13,6 +13,7 @@ namespace metamarch::viewer {
 struct ViewerOptions {
     SceneRequest scene; // without a file the window is empty until one is dropped on it
     Settings settings;
+    bool hasTour = false; // begins with the first screen of tour()
     // Returns the camera that the scene is first seen with, in a picture with `aspect` = width / height.
     // Throws Error(invalidArgument) for a camera that the scene does not have.
     std::function<ViewCamera(const Scene& scene, float aspect)> chooseCamera;

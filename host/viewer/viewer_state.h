@@ -71,7 +71,10 @@ enum class Action {
     previousFrame,
     nextCamera,
     printCamera,
-    saveMarch,      // each step as the window shows it
+    saveMarch,  // each step as the window shows it
+    nextScreen, // of the tour
+    previousScreen,
+    showScreenAgain,
     saveScreenshot, // the picture alone
     saveWindow,     // with panels and lines
     saveExr,
@@ -147,7 +150,8 @@ struct ViewerState {
     std::optional<FrozenMarch> march;
     int marchStep = 0; // number of the only step that is drawn, from 1; 0: all are
     bool isMarchPlaying = false;
-    ShownBox shownBox; // of that step
+    ShownBox shownBox;                     // of that step
+    std::optional<std::size_t> tourScreen; // index in tour(); none: there is no tour
     Statistics statistics;
     ViewHistory history;
     Playback playback;

@@ -18,7 +18,7 @@ class RefusalTest(ViewerTest):
 
     def test_bad_arguments(self):
         for words, line in (
-                ((CORNELL, "--view", "sideways"), r"--view sideways: give steps, .* or exit boxes"),
+                ((CORNELL, "--view", "sideways"), r"--view sideways: give steps, .* or headlight"),
                 ((CORNELL, "--traversal", "nap"), r"--traversal nap: give meta_table, .*"),
                 ((CORNELL, "--split", "nap"), r"--split nap: give meta_table, .*"),
                 ((CORNELL, "--integrator", "primary"), r"--integrator primary: give path, direct or ao"),

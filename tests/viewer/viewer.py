@@ -270,7 +270,7 @@ class ViewerTest(ProgramTest):
         hidden = () if panels else ("--no-panels",)
         viewer = Viewer(self, [*([scene] if scene else []), "--size", size, *hidden, *words], environment)
         self.addCleanup(viewer.end)
-        viewer.wait_for_title(READY if scene else "metamarch")
+        viewer.wait_for_title(READY if scene or "--tour" in words else "metamarch")
         return viewer
 
     def quit(self, viewer):
