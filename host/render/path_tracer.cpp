@@ -256,6 +256,32 @@ std::size_t PathTracer::indexInArea(const std::uint32_t i) const {
     return x < area.width() && y < area.height() ? std::size_t{y} * area.width() + x : kOutside;
 }
 
+// The inverse of tileAt().
+std::uint32_t PathTracer::placeOfTile(const std::uint32_t row, const std::uint32_t column) const {
+    std::uint32_t i = 0;
+    while (i * order.rowStride % order.rows != row) {
+        ++i;
+    }
+    const std::uint32_t shift = i * order.columnStride % order.perRow;
+    return (column + order.perRow - shift) % order.perRow * order.rows + i;
+}
+
+FilmPixel PathTracer::pixel(const std::uint32_t x, const std::uint32_t y) const {
+    const std::uint32_t place = placeOfTile(y / kTileSide, x / kTileSide);
+    const TileRange begun = begunTiles();
+    if (x >= area.width() || y >= area.height() || place < begun.first || place >= begun.end) {
+        return emptyPixel();
+    }
+    const std::uint64_t index =
+        std::uint64_t{place - tiles.first} * kTilePixels + y % kTileSide * kTileSide + x % kTileSide;
+    std::array<FilmPixel, 2> pair;
+    vulkan::read(device, totalBuffer, index * sizeof(FilmPixel),
+                 std::as_writable_bytes(std::span(pair).first(1)));
+    vulkan::read(device, filmBuffer, index * sizeof(FilmPixel),
+                 std::as_writable_bytes(std::span(pair).last(1)));
+    return addPixel(pair[0], pair[1]);
+}
+
 void PathTracer::download(FilmData& film) const {
     const TileSums read = readSums();
     for (std::uint32_t i = 0; i < read.blocks.size(); ++i) {

@@ -82,6 +82,10 @@ class PathTracer {
     // Copies the film into `film`, which covers the area. Pixels without samples stay as they are.
     void download(FilmData& film) const;
 
+    // Returns a pixel of the film, by its place in the area; one without samples where the film has not
+    // begun. It reads no more than that from the device.
+    FilmPixel pixel(std::uint32_t x, std::uint32_t y) const;
+
     // The same in the form that upload() takes, and the number of the block's first sample. An `earlier` that
     // is empty stays so. With kFilmHits, `block` says what was uploaded: first hits of further samples are
     // counted, with `groups` of each triangle; those of earlier blocks are not on the device.
@@ -104,6 +108,7 @@ class PathTracer {
     Outcome dispatch(TileRange part, std::uint32_t firstSample, std::uint32_t endSample);
     TileSums readSums() const;
     std::size_t indexInArea(std::uint32_t i) const;
+    std::uint32_t placeOfTile(std::uint32_t row, std::uint32_t column) const;
 
     const vulkan::Device& device;
     std::string traversal;

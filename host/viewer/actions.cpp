@@ -189,6 +189,9 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
     case Action::toggleHelp:
         settings.hasHelp = !settings.hasHelp;
         return true;
+    case Action::toggleReadOut:
+        settings.hasReadOut = !settings.hasReadOut;
+        return true;
     case Action::togglePlay:
         togglePlay(state);
         return true;

@@ -42,6 +42,7 @@ constexpr KeyHelp kHelp[] = {
     {"X", "split: two traversals side by side"},
     {", .", "field of view"},
     {"- =", "exposure"},
+    {"I", "read out the pixel under the cursor"},
     {"Space", "play the march, or else the animations; pause"},
     {"Left Right", "a step of the march, or else a 24th of a second, back or on"},
     {"Page Up, Page Down", "the tour: a screen back or on"},
@@ -95,6 +96,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
         }
     }
     const glm::vec2 cursor = window.cursor();
+    state.cursor = cursor;
     drag(cursor, state);
     if (input.scroll != 0.0f && !panels.WantCaptureMouse) {
         zoom(state.camera, std::pow(kZoomPerClick, input.scroll), pointUnder(state, cursor));
@@ -260,6 +262,9 @@ void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
         break;
     case GLFW_KEY_P:
         actions.push_back(isShifted ? Action::saveWindow : Action::saveScreenshot);
+        break;
+    case GLFW_KEY_I:
+        actions.push_back(Action::toggleReadOut);
         break;
     case GLFW_KEY_R:
         actions.push_back(Action::reload);

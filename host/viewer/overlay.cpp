@@ -316,6 +316,31 @@ void drawOverlay(ViewerState& state) {
     }
 }
 
+void drawReadOut(const ViewerState& state) {
+    if (state.readOut.empty()) {
+        return;
+    }
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const float text = ImGui::GetFontSize();
+    glm::vec2 size(0.0f, text * static_cast<float>(state.readOut.size()));
+    for (const std::string& line : state.readOut) {
+        size.x = std::max(size.x, ImGui::CalcTextSize(line.c_str()).x);
+    }
+    // Right of the cursor and below it, or on the other side where that leaves the window.
+    const glm::vec2 gap(1.5f * text);
+    glm::vec2 corner = state.cursor + gap;
+    for (const int axis : {0, 1}) {
+        if (corner[axis] + size[axis] > static_cast<float>(state.size[axis])) {
+            corner[axis] = std::max(state.cursor[axis] - gap[axis] - size[axis], 0.0f);
+        }
+    }
+    list.AddRectFilled(at(corner - 0.4f * text), at(corner + size + 0.4f * text), kStoryShade, 3.0f);
+    for (std::size_t i = 0; i < state.readOut.size(); ++i) {
+        list.AddText(at(corner + glm::vec2(0.0f, text * static_cast<float>(i))), kInk,
+                     state.readOut[i].c_str());
+    }
+}
+
 void drawBusy(const ViewerState& state) {
     if (!state.busy.empty() && !state.playback.isPlaying) {
         drawLabel({12.0f, static_cast<float>(state.size.y) - 2.0f * ImGui::GetFontSize()}, state.busy);

@@ -17,6 +17,9 @@ std::uint32_t marchColor(MarchPart part); // as Dear ImGui's ImU32
 // Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(ViewerState& state);
 
+// Draws ViewerState::readOut beside the cursor. Call it within a frame of Dear ImGui.
+void drawReadOut(const ViewerState& state);
+
 // Says what the window waits for. Call it within a frame of Dear ImGui.
 void drawBusy(const ViewerState& state);
 

@@ -190,6 +190,10 @@ std::vector<std::uint32_t> ProgressiveImage::shownPixels() const {
     return pixels;
 }
 
+FilmPixel ProgressiveImage::filmPixel(const glm::uvec2 place) const {
+    return request.view || !path ? emptyPixel() : path->tracer.pixel(place.x, place.y);
+}
+
 FilmData ProgressiveImage::film() const {
     FilmData film(std::size_t{pictureSize.x} * pictureSize.y, 0);
     path->tracer.download(film);

@@ -72,6 +72,8 @@ class ProgressiveImage {
     // The path tracer's counters since its construction; null if it has never run.
     const render::PathCounters* counters() const { return path ? &path->tracer.counters() : nullptr; }
 
+    // Returns a pixel of the path tracer's film; one without samples for a view.
+    FilmPixel filmPixel(glm::uvec2 place) const;
     // Returns the film. Only for the path tracer's picture.
     FilmData film() const;
     // Returns the packed pixels that are shown, in rows from the top.

@@ -17,8 +17,8 @@ struct TourScreen {
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
     std::string_view traversal;
     std::string_view second = ""; // of the right side; empty: there is one side
-    std::optional<float> march =
-        {}; // shows this part of the steps of a ray's march, from the side: 0 is the first step
+    // Shows this part of the steps of a ray's march, from the side: 0 is the first step.
+    std::optional<float> march = {};
     float heatMax = 32.0f; // Settings::heatMax
 };
 

@@ -6,11 +6,13 @@
 #include "metamarch/render/stopwatch.h"
 #include "metamarch/render/view_names.h"
 #include "metamarch/shaders/shader_library.h"
+#include "metamarch/shared/screen.h"
 #include "metamarch/viewer/actions.h"
 #include "metamarch/viewer/controls.h"
 #include "metamarch/viewer/overlay.h"
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
+#include "metamarch/viewer/pixel_readout.h"
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/recent_files.h"
 #include "metamarch/viewer/scene_source.h"
@@ -25,6 +27,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -110,6 +113,8 @@ class Viewer {
             if (state.scene) {
                 state.history.follow(state.camera, seconds);
                 drawOverlay(state);
+                readOut();
+                drawReadOut(state);
             }
             drawBusy(state);
             if (!isWindowWanted) { // messages do not belong into the picture
@@ -327,6 +332,27 @@ class Viewer {
             isSavingMarch = false;
             state.say(error.what());
         }
+    }
+
+    // Brings the lines about the pixel under the cursor up to date, with the film of the left side.
+    void readOut() {
+        state.readOut.clear();
+        const glm::vec2 size(state.size);
+        const bool isInside = glm::all(glm::greaterThanEqual(state.cursor, glm::vec2(0.0f))) &&
+                              glm::all(glm::lessThan(state.cursor, size));
+        if (!state.settings.hasReadOut || !isInside) {
+            return;
+        }
+        const glm::uvec2 pixel(state.cursor);
+        state.readOut = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
+        if (!splitView.isEmpty() && !state.settings.view) {
+            const ProgressiveImage& film = splitView.progressive();
+            const glm::uvec2 place(pixelUnder(pixel.x, film.size().x, state.size.x),
+                                   pixelUnder(pixel.y, film.size().y, state.size.y));
+            std::ranges::move(channelLines(film.filmPixel(place)), std::back_inserter(state.readOut));
+        }
+        std::ranges::move(hitLines(*state.scene, state.traced(), glm::vec2(pixel) + 0.5f),
+                          std::back_inserter(state.readOut));
     }
 
     // --- the march ---

@@ -46,7 +46,8 @@ struct Settings {
     ImportOptions import;
     std::set<std::uint32_t> hiddenMeshes;
     bool hasPanels = true;
-    bool hasHelp = false; // the list of keys
+    bool hasReadOut = false; // of the pixel under the cursor
+    bool hasHelp = false;    // the list of keys
 
     bool operator==(const Settings&) const = default;
 };
@@ -66,6 +67,7 @@ enum class Action {
     redoView,
     clearMarks,
     toggleHelp,
+    toggleReadOut,
     togglePlay,
     nextFrame,
     previousFrame,
@@ -152,6 +154,8 @@ struct ViewerState {
     bool isMarchPlaying = false;
     ShownBox shownBox;                     // of that step
     std::optional<std::size_t> tourScreen; // index in tour(); none: there is no tour
+    glm::vec2 cursor{0.0f};                // pixels of the window, from its upper left corner
+    std::vector<std::string> readOut;      // of the pixel there
     Statistics statistics;
     ViewHistory history;
     Playback playback;

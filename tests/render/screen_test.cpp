@@ -96,6 +96,24 @@ TEST_F(GrowingFilm, isTheSameInAnyPieces) {
     expectSame(filmOf(small), atOnce(camera, kSamples));
 }
 
+TEST_F(GrowingFilm, givesSinglePixels) {
+    constexpr std::uint32_t kSamples = kBlockSamples + 2; // two blocks
+    render::PathTracer whole = tracer();
+    whole.start(camera, settings, {0, render::Tiling(camera).count});
+    EXPECT_EQ(whole.pixel(0, 0).samples, 0u);
+    while (whole.samples() < kSamples) {
+        whole.advance(kSamples, kSamples, render::WorkSize::kTargetSeconds);
+    }
+    std::vector<FilmPixel> pixels;
+    for (std::uint32_t y = 0; y < camera.height; ++y) {
+        for (std::uint32_t x = 0; x < camera.width; ++x) {
+            pixels.push_back(whole.pixel(x, y));
+        }
+    }
+    expectSame(pixels, filmOf(whole));
+    EXPECT_EQ(whole.pixel(camera.width, 0).samples, 0u);
+}
+
 // Few surfaces of an invocation in one dispatch: paths are cut, taken again, and get more turns.
 TEST_F(GrowingFilm, isTheSameInManyTurns) {
     for (const std::uint32_t turns : {1u, 3u, 20u}) {
