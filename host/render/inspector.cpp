@@ -45,13 +45,14 @@ vulkan::ComputePipeline Inspector::makePipeline(const ViewReads reads) const {
     return bound(std::move(pipeline));
 }
 
-void Inspector::start(const Camera& newCamera, const std::uint32_t newView, const float newScaleMax) {
+void Inspector::start(const Camera& newCamera, const std::uint32_t newView, const float newScaleMax,
+                      const float newScaleMin) {
     const std::uint64_t count = std::uint64_t{newCamera.width} * newCamera.height;
     if (count == 0 || count > mostPixels) {
         throw std::invalid_argument(fmt::format("Inspector: a picture of {} x {} pixels, with room for {}",
                                                 newCamera.width, newCamera.height, mostPixels));
     }
-    if (newView >= kViewNames.size() || !(newScaleMax > 0.0f)) {
+    if (newView >= kViewNames.size() || !(newScaleMax > newScaleMin)) {
         throw std::invalid_argument(
             fmt::format("Inspector: view {} with scale {} is none", newView, newScaleMax));
     }
@@ -67,6 +68,7 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
     nextTile = 0;
     view = newView;
     scaleMax = newScaleMax;
+    scaleMin = newScaleMin;
     seconds = 0.0;
 }
 
@@ -75,7 +77,7 @@ bool Inspector::advance(const double targetSeconds) {
         return true;
     }
     const std::uint32_t count = std::min(program->work.units(), tiling.count - nextTile);
-    const InspectPush push{nextTile, tiling.order, view, scaleMax};
+    const InspectPush push{nextTile, tiling.order, view, scaleMax, scaleMin};
     const double spent = submission.run([&](vulkan::Commands& commands) {
         commands.dispatch(program->pipeline, {count, 1, 1}, push);
     });

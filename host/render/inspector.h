@@ -29,12 +29,12 @@ class Inspector {
               const std::string& traversal, std::uint32_t mostPixels,
               std::span<const std::uint32_t> spirv = {}, std::span<const std::uint32_t> cellsSpirv = {});
 
-    // Begins a new picture. `view` is one of kView…; `scaleMax` is InspectPush::scaleMax and must be
-    // positive. The first call for a view creates its pipeline, which other views may share. It uploads the
-    // camera and draws nothing: until advance() reaches a pixel, it keeps its old colour. Throws
-    // std::invalid_argument if the picture has no pixels or more than mostPixels, if `view` is not a view, or
-    // if `scaleMax` is not positive.
-    void start(const Camera& camera, std::uint32_t view, float scaleMax);
+    // Begins a new picture. `view` is one of kView…; `scaleMax` and `scaleMin` are those of InspectPush. The
+    // first call for a view creates its pipeline, which other views may share. It uploads the camera and
+    // draws nothing: until advance() reaches a pixel, it keeps its old colour. Throws std::invalid_argument
+    // if the picture has no pixels or more than mostPixels, if `view` is not a view, or if `scaleMax` is not
+    // greater than `scaleMin`.
+    void start(const Camera& camera, std::uint32_t view, float scaleMax, float scaleMin = 0.0f);
 
     // Draws a part of the picture in one submission of about `targetSeconds`. Returns true once the picture
     // is whole; it then submits nothing. Pixels whose trace the driver ends early get kUnfinishedColor.
@@ -79,6 +79,7 @@ class Inspector {
     std::uint32_t nextTile = 0;
     std::uint32_t view = 0;
     float scaleMax = 1.0f;
+    float scaleMin = 0.0f;
     double seconds = 0.0;
 };
 

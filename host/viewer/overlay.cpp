@@ -232,8 +232,10 @@ void drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
     }
 }
 
+// The colours of a heat map or of depths, with the numbers that they stand for.
 void drawLegend(const ViewerState& state) {
     const std::uint32_t view = *state.settings.view;
+    const bool isHeat = isHeatMap(view);
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float text = ImGui::GetFontSize();
     const glm::vec2 size(16.0f * text, text);
@@ -244,18 +246,21 @@ void drawLegend(const ViewerState& state) {
     constexpr int kSteps = 64;
     for (int i = 0; i < kSteps; ++i) {
         const float left = static_cast<float>(i) / kSteps;
-        const glm::vec3 color = heatColor((static_cast<float>(i) + 0.5f) / kSteps);
+        const float part = (static_cast<float>(i) + 0.5f) / kSteps;
+        const glm::vec3 color = isHeat ? heatColor(part) : depthColor(part);
         list.AddRectFilled({corner.x + left * size.x, corner.y},
                            {corner.x + (left + 1.0f / kSteps) * size.x, corner.y + size.y},
                            ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, 1.0f}));
     }
-    const std::string most = fmt::format("{:.0f}+", state.settings.heatMax);
-    list.AddText({corner.x, corner.y + size.y + 2.0f}, kInk, "0");
-    list.AddText({corner.x + size.x - ImGui::CalcTextSize(most.c_str()).x, corner.y + size.y + 2.0f}, kInk,
-                 most.c_str());
-    const std::string name(render::kViewNames[view].name);
-    list.AddText({corner.x + 0.5f * (size.x - ImGui::CalcTextSize(name.c_str()).x), corner.y + size.y + 2.0f},
-                 kInk, name.c_str());
+    const glm::vec2 range = isHeat ? glm::vec2(0.0f, state.settings.heatMax) : state.depthRange();
+    const auto write = [&](const std::string& words,
+                           const float place) { // 0: at the left end, 1: at the right
+        const float x = corner.x + place * (size.x - ImGui::CalcTextSize(words.c_str()).x);
+        list.AddText({x, corner.y + size.y + 2.0f}, kInk, words.c_str());
+    };
+    write(fmt::format("{:.4g}", range[0]), 0.0f);
+    write(std::string(render::kViewNames[view].name), 0.5f);
+    write(fmt::format("{:.4g}{}", range[1], isHeat ? "+" : ""), 1.0f);
 }
 
 std::string viewportText(const std::string& traversal, const double seconds) {
@@ -311,7 +316,7 @@ void drawOverlay(ViewerState& state) {
     if (state.hasSplit()) {
         drawSplit(state);
     }
-    if (state.settings.view && isHeatMap(*state.settings.view)) {
+    if (state.settings.view && render::kViewNames[*state.settings.view].scale != render::ViewScale::none) {
         drawLegend(state);
     }
 }

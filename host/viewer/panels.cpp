@@ -4,6 +4,7 @@
 #include "metamarch/render/view_names.h"
 #include "metamarch/viewer/channel_picture.h"
 #include "metamarch/viewer/controls.h"
+#include "metamarch/viewer/heat_range.h"
 #include "metamarch/viewer/overlay.h"
 #include "metamarch/vulkan/byte_text.h"
 
@@ -68,8 +69,12 @@ void drawViewChoice(Settings& settings) {
         ImGui::EndCombo();
     }
     if (settings.view && isHeatMap(*settings.view)) {
-        ImGui::SliderFloat("hottest", &settings.heatMax, 1.0f, 512.0f, "%.0f",
-                           kTypedWithin | ImGuiSliderFlags_Logarithmic);
+        if (ImGui::SliderFloat("hottest", &settings.heatMax, 1.0f, kMostHeat, "%.0f",
+                               kTypedWithin | ImGuiSliderFlags_Logarithmic)) {
+            settings.isHeatFitted = false;
+        }
+        ImGui::SameLine();
+        ImGui::Checkbox("automatic", &settings.isHeatFitted);
     }
 }
 

@@ -36,7 +36,7 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
             inspector.emplace(device, scene.buffers(), scene.shading(), traversal, most.x * most.y,
                               shaders.find("inspect", traversal), shaders.find("cells", ""));
         }
-        inspector->start(camera, *request.view, request.scaleMax);
+        inspector->start(camera, *request.view, request.scaleMax, request.scaleMin);
     } else if (path) {
         startPath();
     }

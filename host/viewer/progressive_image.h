@@ -22,9 +22,10 @@ struct RenderRequest {
     CameraOptions lens;
     PathSettings settings;             // for the path tracer
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
-    float scaleMax = 1.0f;             // for the view: InspectPush::scaleMax
-    std::uint32_t endSample = 1;       // for the path tracer: samples of each pixel
-    bool hasPreview = false;           // the view `headlight` is shown until the path tracer has begun
+    float scaleMin = 0.0f;             // for the view: as in InspectPush
+    float scaleMax = 1.0f;
+    std::uint32_t endSample = 1; // for the path tracer: samples of each pixel
+    bool hasPreview = false;     // the view `headlight` is shown until the path tracer has begun
 };
 
 class ProgressiveImage {

@@ -114,7 +114,8 @@ void showTourScreen(ViewerState& state, const std::size_t index) {
     state.tourScreen = index;
     state.settings.view = screen.view;
     state.settings.channel.clear();
-    state.settings.heatMax = screen.heatMax;
+    state.settings.heatMax = screen.heatMax; // the same for pictures that are compared
+    state.settings.isHeatFitted = false;
     choose(state.settings.traversal, screen.traversal, state);
     choose(state.settings.secondTraversal, screen.second, state);
     state.camera = state.history.first();

@@ -9,6 +9,7 @@
 #include "metamarch/shared/screen.h"
 #include "metamarch/viewer/actions.h"
 #include "metamarch/viewer/controls.h"
+#include "metamarch/viewer/heat_range.h"
 #include "metamarch/viewer/overlay.h"
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
@@ -109,6 +110,7 @@ class Viewer {
             act();
             play(seconds);
             playMarch(seconds);
+            fitHeat();
             follow(settingsBefore, cameraBefore);
             if (state.scene) {
                 state.history.follow(state.camera, seconds);
@@ -334,6 +336,18 @@ class Viewer {
         }
     }
 
+    // Chooses the range of a heat map once its picture is whole.
+    void fitHeat() {
+        const Settings& settings = state.settings;
+        const bool isHeat = settings.view && isHeatMap(*settings.view) && settings.isHeatFitted;
+        if (!isHeat || isHeatKnown || isStale || splitView.isEmpty() ||
+            splitView.shown().view != settings.view || !splitView.progressive().isWhole()) {
+            return;
+        }
+        isHeatKnown = true;
+        state.settings.heatMax = fittingHeat(splitView.progressive().shownPixels(), settings.heatMax);
+    }
+
     // Brings the lines about the pixel under the cursor up to date, with the film of the left side.
     void readOut() {
         state.readOut.clear();
@@ -410,6 +424,7 @@ class Viewer {
         }
         const bool isOtherPicture = cameraBefore != state.camera || before.path != now.path ||
                                     before.view != now.view || before.heatMax != now.heatMax ||
+                                    before.isHeatFitted != now.isHeatFitted ||
                                     before.samples != now.samples || before.traversal != now.traversal ||
                                     before.secondTraversal != now.secondTraversal;
         isStale = isStale || isOtherPicture;
@@ -431,6 +446,7 @@ class Viewer {
             splitView.setChannel(now.channel);
             if (std::exchange(isStale, false) || areOthers) {
                 splitView.start(makeRenderRequest());
+                isHeatKnown = false;
             }
         });
     }
@@ -494,17 +510,13 @@ class Viewer {
         request.view = state.settings.view;
         request.endSample = state.settings.samples;
         request.hasPreview = state.settings.hasPreview;
-        request.scaleMax =
-            request.view && !isHeatMap(*request.view) ? farthestCorner() : state.settings.heatMax;
+        request.scaleMax = state.settings.heatMax;
+        if (request.view && !isHeatMap(*request.view)) {
+            const glm::vec2 depths = state.depthRange();
+            request.scaleMin = depths[0];
+            request.scaleMax = depths[1];
+        }
         return request;
-    }
-
-    // Returns the distance from the eye to the farthest corner of the scene's box; it is positive.
-    float farthestCorner() const {
-        const Bounds& bounds = state.scene->bounds;
-        const glm::vec3 away =
-            glm::max(glm::abs(bounds.lo - state.camera.eye), glm::abs(bounds.hi - state.camera.eye));
-        return std::max(glm::length(away), std::numeric_limits<float>::min());
     }
 
     std::string titleText() const {
@@ -545,6 +557,7 @@ class Viewer {
     bool isSavingMarch = false;  // the step that is shown is saved next
     double sinceStep = 0.0;      // seconds since the march has played its last step
     bool isStale = false;        // the picture must begin anew
+    bool isHeatKnown = false;    // the range of the heat map has been compared with the picture
     bool isHalted = false;       // there is no picture until a setting or the window's size changes
     glm::uvec2 haltedSize{0};
     int quietFrames = 0; // number of frames since something happened

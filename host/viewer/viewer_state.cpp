@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace metamarch::viewer {
 
 void declareControls(SettingList& controls, SettingList& lightControls, Settings& settings) {
@@ -40,6 +44,26 @@ std::optional<std::size_t> ViewerState::shownStep() const {
 
 Camera ViewerState::traced() const {
     return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
+}
+
+glm::vec2 ViewerState::depthRange() const {
+    const Camera seen = traced();
+    const Bounds& bounds = scene->bounds;
+    const glm::vec3 nearest = glm::clamp(seen.eye, bounds.lo, bounds.hi);
+    const bool isPanorama = seen.projection == kProjectionPanorama;
+    float least = isPanorama ? glm::length(nearest - seen.eye) : std::numeric_limits<float>::infinity();
+    float most = 0.0f;
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::vec3 corner(i & 1u ? bounds.hi.x : bounds.lo.x, i & 2u ? bounds.hi.y : bounds.lo.y,
+                               i & 4u ? bounds.hi.z : bounds.lo.z);
+        const glm::vec3 away = corner - seen.eye;
+        const float depth = isPanorama ? glm::length(away) : glm::dot(away, seen.forward);
+        least = isPanorama ? least : std::min(least, depth);
+        most = std::max(most, depth);
+    }
+    // An empty scene has no depths; one that is flat has a single one.
+    const bool isRange = std::isfinite(most) && most > std::max(least, 0.0f);
+    return isRange ? glm::vec2(std::max(least, 0.0f), most) : glm::vec2(0.0f, std::max(2.0f * most, 1.0f));
 }
 
 } // namespace metamarch::viewer

@@ -34,6 +34,7 @@ struct Settings {
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
     std::string channel;               // of shownChannels(), in place of the picture; empty: none
     float heatMax = 32.0f;             // number of steps or tests with the hottest colour
+    bool isHeatFitted = true;          // heatMax follows the picture of the left side
     std::string traversal;
     std::string secondTraversal; // of the right viewport; empty: there is one viewport
     float splitAt = 0.5f;        // the split line's place, as a fraction of the window's width
@@ -174,6 +175,9 @@ struct ViewerState {
     bool hasSplit() const { return !settings.secondTraversal.empty(); }
     // Returns the camera that the device traces at the window's size. Call it only with a scene.
     Camera traced() const;
+    // Returns the least and the greatest depth in the scene's box, as the view of depths has them: along the
+    // view axis, or the distance in a panorama. The first is less than the second. Call it only with a scene.
+    glm::vec2 depthRange() const;
 };
 
 } // namespace metamarch::viewer

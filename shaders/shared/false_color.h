@@ -21,6 +21,15 @@ SHARED_FN vec3 heatColor(const float part) {
     return vec3(0.0002189403692f, 0.001651004631f, -0.01948089844f) + t1;
 }
 
+const float kDepthBands = 16.0f; // number of bands from the depth that is white to the one that is black
+
+// Goes from white (`part` is 0) to black (1), in bands whose edges look like the contour lines of a map.
+SHARED_FN vec3 depthColor(const float part) {
+    const float within = min(max(part, 0.0f), 1.0f);
+    const float bands = within * kDepthBands;
+    return vec3((1.0f - within) * (1.0f - 0.08f * (bands - floor(bands))));
+}
+
 // Returns linear Rec. 709, which may lie outside [0, 1]. B. Ottosson, "A perceptual color space for image
 // processing" (Oklab), 2020.
 SHARED_FN vec3 oklabColor(const float lightness, const float a, const float b) {

@@ -9,8 +9,7 @@
 
 SHARED_BEGIN
 
-const float kDepthBands = 64.0f; // number of bands from the eye to the depth that is black
-const float kUvSquares = 32.0f;  // number of squares of the checkerboard per unit
+const float kUvSquares = 32.0f; // number of squares of the checkerboard per unit
 
 // Returns the texture coordinates of the first set, even if no texture uses them.
 SHARED_FN vec2 firstPlace(SCENE_PARAMETER const Surface surface, const vec3 weights) {
@@ -27,12 +26,6 @@ SHARED_FN vec3 uvColor(const vec2 uv) {
     const float parity = (squares.x + squares.y) * 0.5f;
     const float light = parity - floor(parity) > 0.25f ? 1.0f : 0.86f;
     return vec3(part.x * light, part.y * light, 0.25f * light);
-}
-
-// Goes from white at the eye to black, in bands whose edges look like the contour lines of a map.
-SHARED_FN vec3 depthColor(const float part) {
-    const float bands = part * kDepthBands;
-    return vec3((1.0f - part) * (1.0f - 0.2f * (bands - floor(bands))));
 }
 
 // `triangle` is the one that was hit; it is ignored for a miss.
@@ -52,8 +45,8 @@ SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Came
         // A panorama has no view axis, so its depth is the distance along the ray.
         const float t = found.ray.shift + found.hit.t;
         const float cosine = dotProduct(found.view.dir, camera.forward);
-        return packedPixel(
-            depthColor(t * (camera.projection == kProjectionPanorama ? 1.0f : cosine) / push.scaleMax));
+        const float depth = t * (camera.projection == kProjectionPanorama ? 1.0f : cosine);
+        return packedPixel(depthColor((depth - push.scaleMin) / (push.scaleMax - push.scaleMin)));
     }
     const vec3 weights = cornerWeights(found.ray, triangle.v0, triangle.v1, triangle.v2);
     const vec3 normal = makeSurfacePoint(triangle, weights).normal;

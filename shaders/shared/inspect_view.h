@@ -29,7 +29,8 @@ struct InspectPush {
     uint firstPlace;
     TileOrder order;
     uint view;
-    float scaleMax; // positive; the count with the hottest colour, or the depth that is black, in world units
+    float scaleMax; // the count with the hottest colour, or the depth that is black, in world units
+    float scaleMin; // less than scaleMax; the depth that is white
 };
 
 // Colours in the format of packedPixel.
@@ -45,9 +46,10 @@ struct Inspected {
     uint tests;
 };
 
-SHARED_ASSERT_SIZE(InspectPush, 28)
+SHARED_ASSERT_SIZE(InspectPush, 32)
 SHARED_ASSERT_OFFSET(InspectPush, view, 20)
 SHARED_ASSERT_OFFSET(InspectPush, scaleMax, 24)
+SHARED_ASSERT_OFFSET(InspectPush, scaleMin, 28)
 
 SHARED_END
 #endif

@@ -41,11 +41,12 @@ CellFacts cellFacts(const AccelerationStructure& scene, const CellPlace& place) 
 
 std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const ShadingScene& shading,
                                         const std::string& traversal, const Camera& camera,
-                                        const std::uint32_t view, const float scaleMax) {
+                                        const std::uint32_t view, const float scaleMax,
+                                        const float scaleMin) {
     const bool isCells = render::kViewNames.at(view).reads == render::ViewReads::cells;
     const TwinLoop& twin = findTwin(isCells ? "meta_table" : traversal);
     const Lattice& lattice = scene.kdTree().lattice;
-    const InspectPush push{0, {}, view, scaleMax};
+    const InspectPush push{0, {}, view, scaleMax, scaleMin};
     std::vector<std::uint32_t> picture(std::size_t{camera.width} * camera.height);
     tbb::parallel_for(0u, camera.height, [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {

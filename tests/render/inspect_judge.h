@@ -15,6 +15,6 @@ namespace metamarch::tests {
 // table.
 std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const ShadingScene& shading,
                                         const std::string& traversal, const Camera& camera,
-                                        std::uint32_t view, float scaleMax);
+                                        std::uint32_t view, float scaleMax, float scaleMin = 0.0f);
 
 } // namespace metamarch::tests

@@ -10,6 +10,7 @@
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/shading.h"
 #include "metamarch/shading/view.h"
+#include "metamarch/shared/packed_pixel.h"
 #include "path/gpu_scenes.h"
 #include "render/inspect_judge.h"
 
@@ -42,8 +43,9 @@ class InspectorOnBothSides {
           shadingBuffers(vulkan::testDevice(), shading) {}
 
     std::vector<std::uint32_t> onCpu(const std::string& traversal, const Camera& camera,
-                                     const std::uint32_t view, const float scaleMax) const {
-        return inspectOnCpu(structures, shading, traversal, camera, view, scaleMax);
+                                     const std::uint32_t view, const float scaleMax,
+                                     const float scaleMin = 0.0f) const {
+        return inspectOnCpu(structures, shading, traversal, camera, view, scaleMax, scaleMin);
     }
 
     render::Inspector inspector(const std::string& traversal, const std::uint32_t mostPixels,
@@ -213,6 +215,27 @@ TEST_F(InspectorWork, drawsThroughTheCentreOfTheLens) {
     render::Inspector inspector = sides.inspector(kDefaultTraversal, 40 * 30);
     expectSamePicture(draw(inspector, camera, kViewNormals, 1.0f),
                       sides.onCpu(kDefaultTraversal, sides.camera(40, 30), kViewNormals, 1.0f), 40);
+}
+
+// The depths that are white and black, and what lies outside of them.
+TEST_F(InspectorWork, drawsDepthsBetweenTwo) {
+    const Camera camera = sides.camera(40, 30);
+    render::Inspector inspector = sides.inspector(kDefaultTraversal, 40 * 30);
+    const float far = sides.reach();
+    for (const auto& [least, most] : {std::pair(0.3f, 0.6f), std::pair(-1.0f, 0.5f), std::pair(2.0f, 3.0f)}) {
+        inspector.start(camera, kViewDepth, most * far, least * far);
+        while (!inspector.advance()) {
+        }
+        const auto expected = sides.onCpu(kDefaultTraversal, camera, kViewDepth, most * far, least * far);
+        expectSamePicture(inspector.download(), expected, 40);
+    }
+    inspector.start(camera, kViewDepth, 3.0f * far, 2.0f * far);
+    while (!inspector.advance()) {
+    }
+    for (const std::uint32_t pixel : inspector.download()) { // all that is hit lies before the least depth
+        EXPECT_TRUE(pixel == kMissColor || pixel == packedPixel(vec3(1.0f)));
+    }
+    EXPECT_THROW(inspector.start(camera, kViewDepth, 1.0f, 1.0f), std::invalid_argument);
 }
 
 TEST_F(InspectorWork, storageBuffersDrawTheSame) {

@@ -116,7 +116,7 @@ const StructLayout kStructs[] = {
     {"InspectPush",
      sizeof(InspectPush),
      {MEMBER(InspectPush, firstPlace), MEMBER(InspectPush, order), MEMBER(InspectPush, view),
-      MEMBER(InspectPush, scaleMax)}},
+      MEMBER(InspectPush, scaleMax), MEMBER(InspectPush, scaleMin)}},
     {"RayQuery",
      sizeof(RayQuery),
      {MEMBER(RayQuery, origin), MEMBER(RayQuery, tMin), MEMBER(RayQuery, dir), MEMBER(RayQuery, tMax)}},
