@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kColors = 256;
 constexpr std::size_t kMostLookedAt = 5'000; // pixels
-constexpr float kLeftOut = 0.005f;            // of the pixels
+constexpr float kLeftOut = 0.005f;           // of the pixels
 
 std::array<std::uint32_t, kColors> heatColors() {
     std::array<std::uint32_t, kColors> colors{};

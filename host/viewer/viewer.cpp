@@ -394,6 +394,10 @@ class Viewer {
     }
 
     void savedStep(const std::string& path) {
+        if (!state.march) { // removed since the picture was asked for
+            isSavingMarch = false;
+            return;
+        }
         if (static_cast<std::size_t>(state.marchStep) < state.march->log.steps.size()) {
             ++state.marchStep;
             return;
@@ -403,8 +407,9 @@ class Viewer {
     }
 
     void playMarch(const double seconds) {
+        state.isMarchPlaying = state.isMarchPlaying && state.march;
         sinceStep = state.isMarchPlaying ? sinceStep + seconds : 0.0;
-        if (!state.march || sinceStep < kSecondsOfStep) {
+        if (sinceStep < kSecondsOfStep) {
             return;
         }
         sinceStep = 0.0;

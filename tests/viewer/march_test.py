@@ -40,6 +40,15 @@ class MarchTest(ViewerTest):
         viewer.wait_for_picture(last)
         viewer.key("Escape")
         viewer.wait_for_picture(plain)
+
+        viewer.click(200, 180, "Alt_L")
+        viewer.wait_for_picture(whole)
+        viewer.key("space")  # and away while it plays, or while it is saved
+        viewer.key("Escape")
+        viewer.click(200, 180, "Alt_L")
+        viewer.key("Control_L", "p")
+        viewer.key("Escape")
+        viewer.wait_for_picture(plain)
         self.quit(viewer)
 
     def test_the_stack_traversal_beside_it(self):
