@@ -19,10 +19,7 @@
 namespace metamarch::viewer {
 namespace {
 
-constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kShade = IM_COL32(0, 0, 0, 150);
-constexpr ImU32 kStoryShade = IM_COL32(10, 12, 16, 225);
-constexpr ImU32 kPicked = IM_COL32(255, 210, 60, 255);
 
 struct MarchColor {
     const char* name;
@@ -136,11 +133,11 @@ void drawEdges(const std::vector<SolidEdge>& edges, const ImU32 color) {
 // Brings the box of the step up to date with camera, window and scene.
 void followBox(ViewerState& state, const Camera& camera, const Bounds& box) {
     ShownBox& shown = state.shownBox;
-    if (shown.scene == state.scene.get() && shown.camera == state.camera && shown.size == state.size &&
-        shown.box.lo == box.lo && shown.box.hi == box.hi) {
+    if (shown.camera == state.camera && shown.size == state.size && shown.box.lo == box.lo &&
+        shown.box.hi == box.hi) {
         return;
     }
-    shown = {state.scene.get(), state.camera, state.size, box, solidBox(*state.scene, camera, box)};
+    shown = {state.camera, state.size, box, solidBox(*state.scene, camera, box)};
 }
 
 // Draws the only step: the leaf's box, the cell, the exit and the next cell.

@@ -8,6 +8,11 @@
 
 namespace metamarch::viewer {
 
+// Colours as Dear ImGui's ImU32: alpha, blue, green, red, a byte each.
+inline constexpr std::uint32_t kInk = 0xffffffff;
+inline constexpr std::uint32_t kStoryShade = 0xe1100c0a; // behind text and diagrams
+inline constexpr std::uint32_t kPicked = 0xff3cd2ff;
+
 // What is drawn of a march, each with a colour of its own.
 enum class MarchPart { ray, cell, emptyLeaf, fullLeaf, exit, hit };
 inline constexpr int kMarchParts = 6;

@@ -161,7 +161,7 @@ void drawRenderer(ViewerState& state) {
     }
     drawTraversals(state);
     ImGui::Checkbox("denoise", &settings.isDenoised);
-    ImGui::Checkbox("preview while the camera moves", &settings.hasPreview);
+    ImGui::Checkbox("preview before the picture", &settings.hasPreview);
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);
     }

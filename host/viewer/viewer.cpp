@@ -192,6 +192,7 @@ class Viewer {
             state.march.reset();
         }
         state.scene = std::move(loaded);
+        state.shownBox = {};
         state.camera = camera;
         if (isOther) {
             recentFiles.add(state.file);
@@ -377,8 +378,7 @@ class Viewer {
             return;
         }
         isSavingMarch = true;
-        state.isMarchPlaying = false;
-        state.marchStep = 1;
+        savedSteps = 0;
     }
 
     // Asks for the picture of the step that is saved next, without panels.
@@ -398,15 +398,20 @@ class Viewer {
             isSavingMarch = false;
             return;
         }
-        if (static_cast<std::size_t>(state.marchStep) < state.march->log.steps.size()) {
-            ++state.marchStep;
+        ++savedSteps;
+        if (static_cast<std::size_t>(savedSteps) < state.march->log.steps.size()) {
             return;
         }
         isSavingMarch = false;
-        state.say(fmt::format("saved {} steps, the last as {}", state.marchStep, path));
+        state.say(fmt::format("saved {} steps, the last as {}", savedSteps, path));
     }
 
     void playMarch(const double seconds) {
+        if (isSavingMarch) { // no key changes which step is saved
+            state.marchStep = savedSteps + 1;
+            state.isMarchPlaying = false;
+            return;
+        }
         state.isMarchPlaying = state.isMarchPlaying && state.march;
         sinceStep = state.isMarchPlaying ? sinceStep + seconds : 0.0;
         if (sinceStep < kSecondsOfStep) {
@@ -560,6 +565,7 @@ class Viewer {
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
     bool isSavingMarch = false;  // the step that is shown is saved next
+    int savedSteps = 0;          // of that march
     double sinceStep = 0.0;      // seconds since the march has played its last step
     bool isStale = false;        // the picture must begin anew
     bool isHeatKnown = false;    // the range of the heat map has been compared with the picture

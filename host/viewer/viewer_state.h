@@ -118,9 +118,8 @@ struct Playback {
     bool isLooped = true;
 };
 
-// The box of a march's step as it was drawn last, and what it depends on.
+// The box of a march's step in this scene as it was drawn last, and what it depends on.
 struct ShownBox {
-    const LoadedScene* scene = nullptr;
     ViewCamera camera;
     glm::uvec2 size{0};
     Bounds box{};

@@ -21,7 +21,7 @@ constexpr double kLongestPreview = 3.0;
 constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLeastFilmBytes = std::uint64_t{1} << 20; // 9,000 pixels: something to see
 
-// A viewport has two buffers of this size and two of a quarter of it for the coarse picture, and a split has
+// A viewport has two buffers of this size, and smaller ones for the coarse and the sharp preview; a split has
 // two viewports. One part of the free memory is left to the driver and to other programs.
 constexpr std::uint64_t kParts = 6;
 

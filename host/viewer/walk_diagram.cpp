@@ -13,11 +13,8 @@
 namespace metamarch::viewer {
 namespace {
 
-constexpr ImU32 kDiagramInk = IM_COL32(255, 255, 255, 255);
-constexpr ImU32 kDiagramShade = IM_COL32(10, 12, 16, 225);
 constexpr ImU32 kToCome = IM_COL32(120, 125, 135, 110);
 constexpr ImU32 kVisited = IM_COL32(190, 200, 215, 220);
-constexpr ImU32 kWaiting = IM_COL32(255, 210, 60, 255);
 
 // Measures in heights of the text.
 constexpr float kWidth = 30.0f;
@@ -33,8 +30,8 @@ class Diagram {
           visits(visitsUpTo(walk, march, step)), list(*ImGui::GetBackgroundDrawList()) {}
 
     void draw() const {
-        list.AddRectFilled(at({0.0f, 0.0f}), at({kWidth, kHeight}), kDiagramShade, 4.0f);
-        write({0.6f, 0.4f}, kDiagramInk, "The same ray in the kd-tree, with a stack");
+        list.AddRectFilled(at({0.0f, 0.0f}), at({kWidth, kHeight}), kStoryShade, 4.0f);
+        write({0.6f, 0.4f}, kInk, "The same ray in the kd-tree, with a stack");
         drawTree();
         drawStack();
         if (visits > 0) {
@@ -80,13 +77,13 @@ class Diagram {
             list.AddCircleFilled(placeOf(i, deepest), visit.isLeaf ? 3.5f : 2.0f, color);
         }
         if (visits > 0) {
-            list.AddCircle(placeOf(visits - 1, deepest), 6.0f, kDiagramInk, 0, 2.0f);
+            list.AddCircle(placeOf(visits - 1, deepest), 6.0f, kInk, 0, 2.0f);
         }
     }
 
     void drawStack() const {
         const float left = kWidth - kStackWidth;
-        write({left, 1.9f}, kWaiting, "stack");
+        write({left, 1.9f}, kPicked, "stack");
         if (visits == 0) {
             return;
         }
@@ -96,11 +93,11 @@ class Diagram {
         const float bottom = kHeight - 6.6f;
         for (int i = first; i < size; ++i) {
             const float y = bottom - 1.2f * static_cast<float>(i - first);
-            list.AddRect(at({left, y - 1.1f}), at({kWidth - 0.6f, y}), kWaiting);
-            write({left + 0.3f, y - 1.1f}, kWaiting, fmt::format("{}", stack[static_cast<std::size_t>(i)]));
+            list.AddRect(at({left, y - 1.1f}), at({kWidth - 0.6f, y}), kPicked);
+            write({left + 0.3f, y - 1.1f}, kPicked, fmt::format("{}", stack[static_cast<std::size_t>(i)]));
         }
         if (first > 0) {
-            write({left, bottom}, kWaiting, fmt::format("and {}", first));
+            write({left, bottom}, kPicked, fmt::format("and {}", first));
         }
     }
 
@@ -110,7 +107,7 @@ class Diagram {
             tests += march.steps[i].tests;
         }
         const std::uint32_t walked = visits > 0 ? walk.visits[visits - 1].tests : 0;
-        write({0.6f, kHeight - 3.0f}, kWaiting,
+        write({0.6f, kHeight - 3.0f}, kPicked,
               fmt::format("stack: {:>4} nodes of {}, {} tests", visits, walk.visits.size(), walked));
         write({0.6f, kHeight - 1.6f}, marchColor(MarchPart::cell),
               fmt::format("table: {:>4} look-ups of {}, {} tests", step + 1, march.steps.size(), tests));
