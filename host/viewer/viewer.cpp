@@ -20,6 +20,7 @@
 #include "metamarch/viewer/shader_reload.h"
 #include "metamarch/viewer/split_view.h"
 #include "metamarch/viewer/tour.h"
+#include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
@@ -182,6 +183,14 @@ class Viewer {
         auto next = std::make_unique<render::DeviceScene>(device, loaded->shown);
         dropPictures();
         deviceScene = std::move(next);
+        if (device.memoryUse().spilled > 0) { // what the last scene and its pictures took is free now
+            deviceScene.reset();
+            deviceScene = std::make_unique<render::DeviceScene>(device, loaded->shown);
+        }
+        if (device.memoryUse().spilled > 0) {
+            state.say(fmt::format("warning: {} of the scene lie in host memory, which {} reads more slowly",
+                                  vulkan::byteText(device.memoryUse().spilled), device.name()));
+        }
         if (isOther || state.scene->whole != loaded->whole) {
             for (const std::string& warning : loaded->warnings) {
                 state.say("warning: " + warning);
