@@ -203,6 +203,7 @@ TEST(LightTree, drawsAsOftenAsItSays) {
 // Lights whose places no plane divides evenly, or not at all.
 TEST(LightTree, keepsWithinItsDepth) {
     std::vector<PlacedLight> lights;
+    lights.reserve(5300);
     for (int i = 0; i < 300; ++i) {
         lights.push_back(pointLight({std::ldexp(1.0, i % 100 - 60), 0, 0}, std::ldexp(1.0, -(i % 90))));
     }

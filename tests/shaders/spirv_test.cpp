@@ -61,7 +61,8 @@ TEST_P(FloatModesOf, leaveAModuleValid) {
         if (shader.kernel != before) { // one of each kernel
             const std::vector<uint32_t> words = withFloatModes(shader.spirv, modes);
             EXPECT_EQ(faultsOf(words), "") << shader.kernel;
-            const std::size_t added = 6 * (modes.roundsToNearestEven + modes.keepsSignsInfinitiesAndNans);
+            const std::size_t added =
+                std::size_t{6} * (modes.roundsToNearestEven + modes.keepsSignsInfinitiesAndNans);
             EXPECT_EQ(words.size(), shader.spirv.size() + added) << shader.kernel;
             before = shader.kernel;
         }

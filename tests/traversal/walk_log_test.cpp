@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
 
 namespace metamarch::tests {
 namespace {
@@ -23,7 +24,8 @@ TEST(WalkLogs, haveTheVisitsTestsAndHitOfTheTraversal) {
         const Ray ray = makeRay(structure.lattice, query.origin, query.tMin, query.dir, query.tMax);
         const TraceResult expected = traceKdStack(structure, ray, HitQuery::closest);
         const WalkLog log = logWalk(structure, ray);
-        ASSERT_EQ(std::memcmp(&log.result, &expected, sizeof(TraceResult)), 0);
+        using Words = std::array<std::uint32_t, sizeof(TraceResult) / sizeof(std::uint32_t)>;
+        ASSERT_EQ(std::bit_cast<Words>(log.result), std::bit_cast<Words>(expected));
         ASSERT_EQ(log.visits.size(), expected.steps);
         std::size_t depthOfStack = 0;
         for (std::size_t i = 0; i < log.visits.size(); ++i) {

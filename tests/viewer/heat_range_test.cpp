@@ -12,8 +12,9 @@ namespace {
 // A picture with the counts 0 to 100, as the kernel colours them.
 std::vector<std::uint32_t> picture(const float heatMax) {
     std::vector<std::uint32_t> pixels;
-    for (int i = 0; i < 1'010; ++i) {
-        pixels.push_back(packedPixel(heatColor(static_cast<float>(i / 10) / heatMax)));
+    pixels.reserve(1'010);
+    for (int count = 0; count <= 100; ++count) {
+        pixels.insert(pixels.end(), 10, packedPixel(heatColor(static_cast<float>(count) / heatMax)));
     }
     return pixels;
 }
