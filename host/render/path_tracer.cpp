@@ -272,8 +272,8 @@ FilmPixel PathTracer::pixel(const std::uint32_t x, const std::uint32_t y) const 
     if (x >= area.width() || y >= area.height() || place < begun.first || place >= begun.end) {
         return emptyPixel();
     }
-    const std::uint64_t index =
-        std::uint64_t{place - tiles.first} * kTilePixels + y % kTileSide * kTileSide + x % kTileSide;
+    const std::uint64_t index = std::uint64_t{place - tiles.first} * kTilePixels +
+                                std::uint64_t{y % kTileSide} * kTileSide + x % kTileSide;
     std::array<FilmPixel, 2> pair;
     vulkan::read(device, totalBuffer, index * sizeof(FilmPixel),
                  std::as_writable_bytes(std::span(pair).first(1)));

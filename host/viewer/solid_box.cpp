@@ -9,7 +9,7 @@
 namespace metamarch::viewer {
 namespace {
 
-constexpr int kPiecesPerEdge = 20; // of a face: some 1,300 rays for three faces, a few milliseconds
+constexpr std::size_t kPiecesPerEdge = 20; // of a face: some 1,300 rays for three faces, a few milliseconds
 // A surface that lies in a face hides nothing: distances that differ by less than this part are the same.
 constexpr float kSame = 1e-3f;
 
@@ -48,14 +48,14 @@ Face faceOf(const Bounds& box, const int axis, const bool isUpper) {
 void addFace(const LoadedScene& scene, const Camera& camera, const Face& face, const float light,
              std::vector<SolidPart>& parts) {
     std::array<std::array<std::optional<SolidPoint>, kPiecesPerEdge + 1>, kPiecesPerEdge + 1> points;
-    for (int i = 0; i <= kPiecesPerEdge; ++i) {
-        for (int j = 0; j <= kPiecesPerEdge; ++j) {
+    for (std::size_t i = 0; i <= kPiecesPerEdge; ++i) {
+        for (std::size_t j = 0; j <= kPiecesPerEdge; ++j) {
             const glm::vec2 at = glm::vec2(i, j) / static_cast<float>(kPiecesPerEdge);
             points[i][j] = seenPoint(scene, camera, face.corner + face.along * at.x + face.across * at.y);
         }
     }
-    for (int i = 0; i < kPiecesPerEdge; ++i) {
-        for (int j = 0; j < kPiecesPerEdge; ++j) {
+    for (std::size_t i = 0; i < kPiecesPerEdge; ++i) {
+        for (std::size_t j = 0; j < kPiecesPerEdge; ++j) {
             const auto& a = points[i][j];
             const auto& b = points[i + 1][j];
             const auto& c = points[i + 1][j + 1];
@@ -75,9 +75,10 @@ void addEdges(const LoadedScene& scene, const Camera& camera, const Bounds& box,
             from[(axis + 1) % 3] = (side & 1u) ? box.hi[(axis + 1) % 3] : box.lo[(axis + 1) % 3];
             from[(axis + 2) % 3] = (side & 2u) ? box.hi[(axis + 2) % 3] : box.lo[(axis + 2) % 3];
             std::optional<SolidPoint> before = seenPoint(scene, camera, from);
-            for (int i = 1; i <= kPiecesPerEdge; ++i) {
+            for (std::size_t i = 1; i <= kPiecesPerEdge; ++i) {
                 glm::vec3 to = from;
-                to[axis] = glm::mix(box.lo[axis], box.hi[axis], static_cast<float>(i) / kPiecesPerEdge);
+                to[axis] = glm::mix(box.lo[axis], box.hi[axis],
+                                    static_cast<float>(i) / static_cast<float>(kPiecesPerEdge));
                 const std::optional<SolidPoint> next = seenPoint(scene, camera, to);
                 if (before && next) {
                     edges.push_back({{before->place, next->place}, before->isSeen && next->isSeen});

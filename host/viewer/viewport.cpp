@@ -45,13 +45,12 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
 
 } // namespace
 
-Viewport::Viewport(const vulkan::Device& usedDevice, const render::DeviceScene& scene,
+Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scene,
                    const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
-    : device(usedDevice), name(traversal), fineSize(fittingSize(usedDevice, size)),
-      coarse(usedDevice, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
-      sharp(usedDevice, scene, traversal, fineSize, shaders),
-      fine(usedDevice, scene, traversal, fineSize, shaders),
-      presenting(render::makeKernel(usedDevice, "present",
+    : name(traversal), fineSize(fittingSize(device, size)),
+      coarse(device, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
+      sharp(device, scene, traversal, fineSize, shaders), fine(device, scene, traversal, fineSize, shaders),
+      presenting(render::makeKernel(device, "present",
                                     {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
                                      .pushConstantSize = sizeof(PresentPush)})) {}
 

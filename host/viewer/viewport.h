@@ -38,7 +38,6 @@ class Viewport {
     const ProgressiveImage& coarseImage() const { return coarse; }
 
   private:
-    const vulkan::Device& device;
     std::string name;
     glm::uvec2 fineSize;
     ProgressiveImage coarse;
