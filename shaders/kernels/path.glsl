@@ -95,9 +95,12 @@ void main() {
         }
     }
     // A sample that the driver ends early is taken again, and counts once.
-    precise PathSample taken =
-        startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
+    PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
+    // Of this sample. They are whole numbers because `precise` floats in this loop would make glslang 12
+    // search without end for what else is precise.
+    uint steps = 0u;
+    uint tests = 0u;
     uint turns = 0u;
 
     // Invariant: `sum` contains the first sum.samples samples of the block; `taken` is the one after them.
@@ -109,14 +112,14 @@ void main() {
             const Trace trace = traceOpaque(ray, false, taken.at, bounceDimension(path.bounce, kBounceAlpha),
                                             passing(settings, path), inWay);
             bool isWhole = trace.finished;
-            taken.steps += float(trace.steps);
-            taken.tests += float(trace.tests);
+            steps += trace.steps;
+            tests += trace.tests;
             ++taken.rays;
             if (trace.hit.triangleId == kNoTriangle) {
                 taken = afterLeaving(taken, leaveScene(settings, path));
             } else {
                 const TriangleRecord triangle = loadTriangle(trace.recordIndex);
-                const precise float t = ray.shift + trace.hit.t;
+                const float t = hitDistance(ray, trace.hit);
                 const PathStep step = meetSurface(settings, path, ray, t, triangle, inWay, taken.at);
                 taken = afterStep(camera, taken, step, t, trace.hit.triangleId);
                 isWhole = isWhole && step.isWhole;
@@ -128,13 +131,17 @@ void main() {
                         traceOpaque(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
                                     passing(settings, step.path), ofLight);
                     isWhole = isWhole && blocker.finished;
-                    taken.steps += float(blocker.steps);
-                    taken.tests += float(blocker.tests);
+                    steps += blocker.steps;
+                    tests += blocker.tests;
                     ++taken.shadowRays;
                     taken = afterShadow(taken, shadow.gain, ofLight);
                 }
             }
             if (isWhole && !taken.path.isAlive) {
+                taken.steps = float(steps);
+                taken.tests = float(tests);
+                steps = 0u;
+                tests = 0u;
                 if ((filmParts & kFilmHits) != 0u) {
                     firstHits[index * kBlockSamples + sum.samples] = taken.first.triangleId;
                 }
@@ -154,10 +161,8 @@ void main() {
         was = film[index];
     }
     ADD_COUNT(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
-    const precise float steps = sum.steps - was.steps;
-    const precise float tests = sum.tests - was.tests;
-    ADD_COUNT(status.steps, uint(steps));
-    ADD_COUNT(status.tests, uint(tests));
+    ADD_COUNT(status.steps, addedCount(was.steps, sum.steps));
+    ADD_COUNT(status.tests, addedCount(was.tests, sum.tests));
     film[index] = sum;
     if (push.isFresh != 0u && push.firstSample == 0u) {
         total[index].samples = 0u;

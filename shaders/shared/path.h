@@ -131,6 +131,12 @@ SHARED_FN PathSample startSample(const Camera camera, const PathSettings setting
     return PathSample(at, cameraPath(camera, settings, x, y, at), missFirst(), noLight(), 0u, 0u, 0.0f, 0.0f);
 }
 
+// Returns the distance of a hit from the origin of the ray that was given to makeRay.
+SHARED_FN float hitDistance(const Ray ray, const Hit hit) { return ray.shift + hit.t; }
+
+// Returns what was added to a count since it was `before`.
+SHARED_FN uint addedCount(const float before, const float now) { return uint(now - before); }
+
 // Returns the sample after `step` at a triangle, which its path met at distance `t`.
 SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, const PathStep step,
                                const float t, const uint triangleId) {

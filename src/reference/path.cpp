@@ -76,7 +76,7 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
             return afterLeaving(taken, leaveScene(render.scene, render.settings, path));
         }
         const TriangleRecord& triangle = render.structure.triangles[trace.recordIndex];
-        const float t = ray.shift + trace.hit.t;
+        const float t = hitDistance(ray, trace.hit);
         const PathStep step =
             meetSurface(render.scene, render.settings, path, ray, t, triangle, inWay, taken.at);
         taken = afterStep(render.camera, taken, step, t, trace.hit.triangleId);
