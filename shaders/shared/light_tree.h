@@ -80,28 +80,32 @@ SHARED_FN float firstChildProbability(const LightNode first, const LightNode sec
 // Chooses a light by u. The probability is 0 if no light reaches the surface.
 SHARED_FN TableChoice chooseFromLightTree(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
                                           const float u) {
-    LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
+    // Single words, because members of a struct that are set in a loop make glslang 12 search without end,
+    // now and then, for what is precise.
+    const LightNode root = loadLightNode(SCENE settings.punctualCount, 0u);
+    uint axis = root.axis;
+    uint link = root.link;
     float probability = 1.0f;
     float rest = u;
-    bool isLeaf = (node.axis & kLightLeaf) != 0u;
+    bool isLeaf = (axis & kLightLeaf) != 0u;
     uint left = isLeaf ? 0u : 1u; // as in chooseFromTable, as the `if`
     do {
         if (!isLeaf) {
-            const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
-            const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, link + 1u);
             const float split = firstChildProbability(first, second, to);
             const bool isFirst = rest < split;
             const float chance = isFirst ? split : 1.0f - split;
             const float from = isFirst ? 0.0f : split;
             rest = split < 0.0f ? rest : min(max((rest - from) / max(chance, 1e-30f), 0.0f), 0.99999994f);
             probability = split < 0.0f ? 0.0f : probability * chance;
-            node.axis = isFirst ? first.axis : second.axis;
-            node.link = isFirst ? first.link : second.link;
-            isLeaf = (node.axis & kLightLeaf) != 0u;
+            axis = isFirst ? first.axis : second.axis;
+            link = isFirst ? first.link : second.link;
+            isLeaf = (axis & kLightLeaf) != 0u;
             left = isLeaf ? 0u : 1u;
         }
     } while (!isLeaf);
-    return TableChoice(node.link, probability, rest, left == 0u);
+    return TableChoice(link, probability, rest, left == 0u);
 }
 
 // The probability with which chooseFromLightTree chooses an emitter.
@@ -127,22 +131,26 @@ SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings setting
     const uint unsearched = high - low;
     const Emitter emitter = loadEmitter(SCENE low);
 
-    LightNode node = loadLightNode(SCENE settings.punctualCount, 0u);
+    // Single words, because members of a struct that are set in a loop make glslang 12 search without end,
+    // now and then, for what is precise.
+    const LightNode root = loadLightNode(SCENE settings.punctualCount, 0u);
+    uint axis = root.axis;
+    uint link = root.link;
     float probability = emitter.triangleId == triangleId ? 1.0f : 0.0f;
     uint branches = emitter.branches;
-    bool isLeaf = (node.axis & kLightLeaf) != 0u;
+    bool isLeaf = (axis & kLightLeaf) != 0u;
     uint left = isLeaf ? 0u : 1u;
     do {
         if (!isLeaf) {
-            const LightNode first = loadLightNode(SCENE settings.punctualCount, node.link);
-            const LightNode second = loadLightNode(SCENE settings.punctualCount, node.link + 1u);
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, link + 1u);
             const float split = firstChildProbability(first, second, to);
             const bool isFirst = (branches & 1u) == 0u;
             probability = split < 0.0f ? 0.0f : probability * (isFirst ? split : 1.0f - split);
             branches = branches >> 1u;
-            node.axis = isFirst ? first.axis : second.axis;
-            node.link = isFirst ? first.link : second.link;
-            isLeaf = (node.axis & kLightLeaf) != 0u;
+            axis = isFirst ? first.axis : second.axis;
+            link = isFirst ? first.link : second.link;
+            isLeaf = (axis & kLightLeaf) != 0u;
             left = isLeaf ? 0u : 1u;
         }
     } while (!isLeaf);

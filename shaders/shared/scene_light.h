@@ -53,9 +53,8 @@ SHARED_FN TableChoice chooseFromTable(SCENE_PARAMETER const uint first, const ui
             left = isFound ? 0u : 1u;
         }
     } while (!isFound);
-    TableChoice choice = chosenEntry(entry, index, u);
-    choice.isWhole = left == 0u;
-    return choice;
+    const TableChoice choice = chosenEntry(entry, index, u);
+    return TableChoice(index, choice.probability, choice.uRemapped, left == 0u);
 }
 
 // Convert between the scene's axes and the map's. The map is rotated around y, right-handed: +z goes towards
@@ -191,28 +190,25 @@ SHARED_FN SceneLightSample sampleEmitter(SCENE_PARAMETER const Emitter emitter, 
 // Chooses a light. Emitters come first, then punctual lights, then the environment map.
 SHARED_FN TableChoice chooseLight(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
                                   const float u) {
-    TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u);
-    if (hasFeature(SCENE kFeatureLightTree)) {
-        const float probability = choice.probability;
-        const bool isWhole = choice.isWhole;
-        if (choice.index == 0u) {
-            choice = chooseFromLightTree(SCENE settings, to, choice.uRemapped);
-            choice.probability = choice.probability * probability;
-            choice.isWhole = choice.isWhole && isWhole;
-        } else {
-            choice.index = settings.emitterCount + choice.index - 1u;
-        }
+    const TableChoice choice = chooseFromTable(SCENE 0u, settings.lightCount, u);
+    if (!hasFeature(SCENE kFeatureLightTree)) {
+        return choice;
     }
-    return choice;
+    if (choice.index > 0u) {
+        return TableChoice(settings.emitterCount + choice.index - 1u, choice.probability, choice.uRemapped,
+                           choice.isWhole);
+    }
+    const TableChoice inTree = chooseFromLightTree(SCENE settings, to, choice.uRemapped);
+    return TableChoice(inTree.index, inTree.probability * choice.probability, inTree.uRemapped,
+                       inTree.isWhole && choice.isWhole);
 }
 
 // Returns the probability with which chooseLight chooses the emitter at `triangleId`. It is not computed
 // without kFeatureLightTree.
 SHARED_FN EmitterChance chanceOfEmitter(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
                                         const uint triangleId) {
-    EmitterChance chance = emitterChance(SCENE settings, to, triangleId);
-    chance.probability = chance.probability * loadTableEntry(SCENE 0u).probability;
-    return chance;
+    const EmitterChance chance = emitterChance(SCENE settings, to, triangleId);
+    return EmitterChance(chance.probability * loadTableEntry(SCENE 0u).probability, chance.isWhole);
 }
 
 // `bin` is that of the surface.
@@ -242,8 +238,8 @@ SHARED_FN SceneLightSample sampleSceneLight(SCENE_PARAMETER const PathSettings s
         result = SceneLightSample(light.wi, point, true, light.arriving / probability,
                                   light.pdf * probability, true, light.isWhole);
     }
-    result.isWhole = result.isWhole && choice.isWhole;
-    return result;
+    return SceneLightSample(result.wi, result.end, result.isFar, result.arriving, result.pdf, result.isMap,
+                            result.isWhole && choice.isWhole);
 }
 
 SHARED_END
