@@ -97,8 +97,8 @@ void main() {
     // A sample that the driver ends early is taken again, and counts once.
     PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
-    // Of this sample. They are whole numbers because `precise` floats in this loop would make glslang 12
-    // search without end for what else is precise.
+    // The sample's counts are whole numbers: sums of floats here would have to be `precise`, and then glslang
+    // 12 often searches for precise values without end (host/viewer/README.md, "Limits").
     uint steps = 0u;
     uint tests = 0u;
     uint turns = 0u;

@@ -11,15 +11,15 @@ SHARED_BEGIN
 struct LightNode {
     vec3 center; // of a sphere around all points that shine
     float radius;
-    uint axis;       // packAxis, and bits kLightLeaf and kLightTwoSided
+    uint axis;       // packAxis, and bit kLightTwoSided
     uint angles;     // packAngles
     float intensity; // sum over the lights: W/sr along the normal
-    // The index of the first child, which the second follows. Of a leaf, the index of its light: emitters
-    // come first, then punctual lights.
+    // The index of the first child, which the second follows. Of a leaf, kLightLeaf and the index of its
+    // light: emitters come first, then punctual lights.
     uint link;
 };
 
-const uint kLightLeaf = 1u << 30u;
+const uint kLightLeaf = 1u << 31u;
 const uint kLightTwoSided = 1u << 31u; // its lights shine along their normals and against them
 // A light is at most this number of branches below the root.
 const uint kMaxLightDepth = 32u;

@@ -215,11 +215,11 @@ TEST(LightTree, keepsWithinItsDepth) {
     for (std::uint32_t k = 0; k < lights.size(); ++k) {
         LightNode node = tree.nodes[0];
         std::uint32_t depth = 0;
-        for (std::uint32_t way = tree.branches[k]; (node.axis & kLightLeaf) == 0u; way >>= 1u) {
+        for (std::uint32_t way = tree.branches[k]; node.link < kLightLeaf; way >>= 1u) {
             ASSERT_LT(++depth, kMaxLightDepth);
             node = tree.nodes[node.link + (way & 1u)];
         }
-        ASSERT_EQ(node.link, k);
+        ASSERT_EQ(node.link, kLightLeaf | k);
     }
 }
 
@@ -248,7 +248,7 @@ TEST(LightTree, knowsEmittersByTheirTriangles) {
     EXPECT_NEAR(sum + probabilitiesAt(shading, to).at(pointIndex), 1.0, 1e-5);
 }
 
-// Of two panels, one shows the black half of their texture, the other the white half.
+// There are two panels: one shows the black half of their texture, the other the white half.
 TEST(LightTree, prefersTheBrightPartsOfATexture) {
     PathScene made;
     Scene& scene = made.scene;

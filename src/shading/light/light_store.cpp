@@ -218,7 +218,9 @@ void addLightTree(const std::span<const glm::vec3> meanEmission, ShadingScene& t
     }
     LightTree tree = makeLightTree(placed);
     for (LightNode& node : tree.nodes) {
-        node.link = (node.axis & kLightLeaf) != 0u ? indices[node.link] : node.link;
+        if (node.link >= kLightLeaf) {
+            node.link = kLightLeaf | indices[node.link & ~kLightLeaf];
+        }
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (indices[i] < target.emitters.size()) {

@@ -134,8 +134,7 @@ class Builder {
               const std::uint32_t branches, const std::uint32_t depth) {
         LightNode node = nodeOf(part);
         if (part.size() == 1) {
-            node.axis |= kLightLeaf;
-            node.link = part.front();
+            node.link = kLightLeaf | part.front();
             tree_.branches[part.front()] = branches;
             tree_.nodes[index] = node;
             return;

@@ -27,7 +27,7 @@ struct LightTree {
     std::vector<std::uint32_t> branches; // [light]; see Emitter::branches
 };
 
-// `lights` has at least one entry. A leaf's link is the index of its light.
+// `lights` has at least one entry. A leaf's link names the light by its index.
 LightTree makeLightTree(std::span<const PlacedLight> lights);
 
 } // namespace metamarch
