@@ -61,7 +61,7 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
         bindings.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
     try {
-        handles_->kernel = device.compile({withFloatModes(info.spirv, device.report().floatModes), bindings,
+        handles_->kernel = device.compile({withExactFloats(info.spirv, device.report().floatModes), bindings,
                                            pushConstantSize_, info.specialization});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {

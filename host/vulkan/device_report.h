@@ -2,7 +2,7 @@
 // The properties of a device, those of its limits that we depend on, and the reasons why we refuse it.
 #pragma once
 #include "metamarch/vulkan/context.h"
-#include "metamarch/vulkan/float_modes.h"
+#include "metamarch/vulkan/exact_floats.h"
 
 #include <array>
 #include <cstdint>

@@ -97,8 +97,7 @@ void main() {
     // A sample that the driver ends early is taken again, and counts once.
     PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
-    // The sample's counts are whole numbers: sums of floats here would have to be `precise`, and then glslang
-    // 12 often searches for precise values without end (host/viewer/README.md, "Limits").
+    // Of this sample.
     uint steps = 0u;
     uint tests = 0u;
     uint turns = 0u;
@@ -161,8 +160,8 @@ void main() {
         was = film[index];
     }
     ADD_COUNT(status.rays, sum.rays + sum.shadowRays - was.rays - was.shadowRays);
-    ADD_COUNT(status.steps, addedCount(was.steps, sum.steps));
-    ADD_COUNT(status.tests, addedCount(was.tests, sum.tests));
+    ADD_COUNT(status.steps, uint(sum.steps - was.steps));
+    ADD_COUNT(status.tests, uint(sum.tests - was.tests));
     film[index] = sum;
     if (push.isFresh != 0u && push.firstSample == 0u) {
         total[index].samples = 0u;

@@ -126,10 +126,6 @@ LightNode loadLightNode(const uint punctualCount, const uint i) {
     return LightNode(a.xyz, a.w, b.x, b.y, uintBitsToFloat(b.z), b.w);
 }
 
-uint loadLightLink(const uint punctualCount, const uint i) {
-    return LOAD4(lightWords, 3u * punctualCount + 2u * i + 1u).w;
-}
-
 TableEntry loadTableEntry(const uint i) {
     const uvec4 words = LOAD4(tableWords, i);
     return TableEntry(uintBitsToFloat(words.x), uintBitsToFloat(words.y), uintBitsToFloat(words.z), words.w);

@@ -12,9 +12,7 @@
 
 #define SHARED_BEGIN namespace metamarch {
 #define SHARED_END }
-// Begins every shared function. In GLSL it is `precise`: the return value is computed without contraction and
-// reassociation. In C++, -ffp-contract=off has the same effect. (glslang applies `precise` to the return
-// value but not to inout parameters, so functions return structs.)
+// Begins every shared function.
 #define SHARED_FN inline
 #define SHARED_ASSERT_SIZE(T, bytes)                                                                         \
     static_assert(sizeof(T) == (bytes) && std::is_trivially_copyable_v<T>,                                   \
@@ -31,7 +29,7 @@ using glm::floatBitsToInt, glm::floatBitsToUint, glm::uintBitsToFloat;
 #else
 #define SHARED_BEGIN
 #define SHARED_END
-#define SHARED_FN precise
+#define SHARED_FN
 #define SHARED_ASSERT_SIZE(T, bytes)
 #define SHARED_ASSERT_OFFSET(T, member, bytes)
 #endif

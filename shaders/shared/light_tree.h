@@ -80,24 +80,22 @@ SHARED_FN float firstChildProbability(const LightNode first, const LightNode sec
 // Chooses a light by u. The probability is 0 if no light reaches the surface.
 SHARED_FN TableChoice chooseFromLightTree(SCENE_PARAMETER const PathSettings settings, const LightReceiver to,
                                           const float u) {
-    // Links have a loader of their own, so that none is a member of a node that was loaded by it. That makes
-    // glslang 12 search without end for precise values more often: foundChance in path.h.
-    uint link = loadLightLink(SCENE settings.punctualCount, 0u);
+    uint link = loadLightNode(SCENE settings.punctualCount, 0u).link;
     float probability = 1.0f;
     float rest = u;
     bool isLeaf = link >= kLightLeaf;
     uint left = isLeaf ? 0u : 1u; // this and the `if` are as in chooseFromTable
     do {
         if (!isLeaf) {
-            const float split =
-                firstChildProbability(loadLightNode(SCENE settings.punctualCount, link),
-                                      loadLightNode(SCENE settings.punctualCount, link + 1u), to);
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, link + 1u);
+            const float split = firstChildProbability(first, second, to);
             const bool isFirst = rest < split;
             const float chance = isFirst ? split : 1.0f - split;
             const float from = isFirst ? 0.0f : split;
             rest = split < 0.0f ? rest : min(max((rest - from) / max(chance, 1e-30f), 0.0f), 0.99999994f);
             probability = split < 0.0f ? 0.0f : probability * chance;
-            link = loadLightLink(SCENE settings.punctualCount, isFirst ? link : link + 1u);
+            link = isFirst ? first.link : second.link;
             isLeaf = link >= kLightLeaf;
             left = isLeaf ? 0u : 1u;
         }
@@ -128,20 +126,20 @@ SHARED_FN EmitterChance emitterChance(SCENE_PARAMETER const PathSettings setting
     const uint unsearched = high - low;
     const Emitter emitter = loadEmitter(SCENE low);
 
-    uint link = loadLightLink(SCENE settings.punctualCount, 0u);
+    uint link = loadLightNode(SCENE settings.punctualCount, 0u).link;
     float probability = emitter.triangleId == triangleId ? 1.0f : 0.0f;
     uint branches = emitter.branches;
     bool isLeaf = link >= kLightLeaf;
     uint left = isLeaf ? 0u : 1u;
     do {
         if (!isLeaf) {
-            const float split =
-                firstChildProbability(loadLightNode(SCENE settings.punctualCount, link),
-                                      loadLightNode(SCENE settings.punctualCount, link + 1u), to);
+            const LightNode first = loadLightNode(SCENE settings.punctualCount, link);
+            const LightNode second = loadLightNode(SCENE settings.punctualCount, link + 1u);
+            const float split = firstChildProbability(first, second, to);
             const bool isFirst = (branches & 1u) == 0u;
             probability = split < 0.0f ? 0.0f : probability * (isFirst ? split : 1.0f - split);
             branches = branches >> 1u;
-            link = loadLightLink(SCENE settings.punctualCount, isFirst ? link : link + 1u);
+            link = isFirst ? first.link : second.link;
             isLeaf = link >= kLightLeaf;
             left = isLeaf ? 0u : 1u;
         }

@@ -44,7 +44,6 @@ SHARED_FN TexturePoint texturePoint(SCENE_PARAMETER const Surface surface, const
     if (!hasFeature(SCENE kFeatureFurtherSets)) {
         return point;
     }
-    // Not a, b and c again: glslang's pass for `precise` never ends where a struct is made of its own member.
     const Vertex d = loadVertex(SCENE a.further);
     const Vertex e = loadVertex(SCENE b.further);
     const Vertex f = loadVertex(SCENE c.further);

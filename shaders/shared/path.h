@@ -134,9 +134,6 @@ SHARED_FN PathSample startSample(const Camera camera, const PathSettings setting
 // Returns the distance of a hit from the origin of the ray that was given to makeRay.
 SHARED_FN float hitDistance(const Ray ray, const Hit hit) { return ray.shift + hit.t; }
 
-// Returns what was added to a count since it was `before`.
-SHARED_FN uint addedCount(const float before, const float now) { return uint(now - before); }
-
 // Returns the sample after `step` at a triangle, which its path met at distance `t`.
 SHARED_FN PathSample afterStep(const Camera camera, const PathSample arriving, const PathStep step,
                                const float t, const uint triangleId) {
@@ -436,14 +433,6 @@ SHARED_FN Path passSurface(const Path path, const uint medium, const bool isBack
     return next;
 }
 
-// Returns the probability with which light sampling would have chosen the emitter at `triangleId`, which
-// the path has found. It takes the whole path: with its receiver as an argument in meetSurface, glslang 12
-// more often searches for precise values without end (host/viewer/README.md, "Limits").
-SHARED_FN EmitterChance foundChance(SCENE_PARAMETER const PathSettings settings, const Path path,
-                                    const uint triangleId) {
-    return chanceOfEmitter(SCENE settings, path.receiver, triangleId);
-}
-
 // Continues the path at `triangle`, which `ray` has hit at distance `t`. `ray` is made from the path.
 SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, const Path arriving,
                                const Ray ray, const float t, const TriangleRecord triangle, const InWay inWay,
@@ -496,7 +485,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         const bool isShown = cosine > 0.0f || (record.flags & kMaterialDoubleSided) != 0u;
         float probability = 0.0f;
         if (hasFeature(SCENE kFeatureLightTree) && record.emissionDensity > 0.0f && path.pdf < kCertain) {
-            const EmitterChance chance = foundChance(SCENE settings, path, triangle.triangleId);
+            const EmitterChance chance = chanceOfEmitter(SCENE settings, path.receiver, triangle.triangleId);
             probability = chance.probability;
             isWhole = chance.isWhole;
         }

@@ -65,9 +65,6 @@ inline LightRecord loadLight(const ShadingScene& scene, const uint i) { return s
 inline LightNode loadLightNode(const ShadingScene& scene, uint /*punctualCount*/, const uint i) {
     return scene.lightNodes[i];
 }
-inline uint loadLightLink(const ShadingScene& scene, uint /*punctualCount*/, const uint i) {
-    return scene.lightNodes[i].link;
-}
 inline TableEntry loadTableEntry(const ShadingScene& scene, const uint i) { return scene.tables[i]; }
 inline glm::vec4 loadEnvironment(const ShadingScene& scene, const uint i) { return scene.environment[i]; }
 

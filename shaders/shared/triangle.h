@@ -31,10 +31,6 @@ SHARED_FN float productError(const float a, const float b, const float p) {
     return error;
 }
 
-// `precise` does not reach what only a condition reads. A product that a function returns is precise
-// everywhere.
-SHARED_FN float product(const float a, const float b) { return a * b; }
-
 // Returns a * b - c * d within a few ulps of the result, even if the two products nearly cancel.
 SHARED_FN float differenceOfProducts(const float a, const float b, const float c, const float d) {
     const float ab = a * b;
@@ -89,7 +85,7 @@ SHARED_FN float intersectTriangle(const Ray ray, const vec3 v0, const vec3 v1, c
     const float reach = uintBitsToFloat(
         max(max(max(magnitudeBits(a.x), magnitudeBits(a.y)), max(magnitudeBits(b.x), magnitudeBits(b.y))),
             max(magnitudeBits(c.x), magnitudeBits(c.y))));
-    if (!(product(squared(reach), reach) <= product(abs(det), ray.extent))) {
+    if (!(squared(reach) * reach <= abs(det) * ray.extent)) {
         u = differenceOfProducts(c.x, b.y, c.y, b.x);
         v = differenceOfProducts(a.x, c.y, a.y, c.x);
         w = differenceOfProducts(b.x, a.y, b.y, a.x);

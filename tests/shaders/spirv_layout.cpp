@@ -74,6 +74,7 @@ void readInstruction(const spv::Op op, const std::span<const std::uint32_t> oper
         layout.storageBuffers += operands[2] == spv::StorageClassStorageBuffer ? 1 : 0;
         layout.texelBuffers += operands[2] == spv::StorageClassUniformConstant ? 1 : 0;
         break;
+    case spv::OpFNegate:
     case spv::OpFAdd:
     case spv::OpFSub:
     case spv::OpFMul:

@@ -31,7 +31,7 @@ struct LoadedRecords {
     uint texel1;
     uint texel2;
     uint texel3;
-    uint link;
+    uint padding0;
 };
 
 SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
@@ -53,7 +53,7 @@ SHARED_FN LoadedRecords loadedRecords(SCENE_PARAMETER const uint i) {
     loaded.texel1 = loadTexel(SCENE 1u, i);
     loaded.texel2 = loadTexel(SCENE 2u, i);
     loaded.texel3 = loadTexel(SCENE 3u, i);
-    loaded.link = loadLightLink(SCENE kLoadedRecords, i);
+    loaded.padding0 = 0u;
     return loaded;
 }
 
