@@ -7,6 +7,13 @@
 // of a pixel that start at a multiple of 2^k, every elementary interval of area 2^-k contains one point. B.
 // Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020; the hash is from N. Vegdahl, "Building a
 // Better LK Hash", 2021.
+//
+// Neighbouring pixels complement each other. The 16 pixels of a block of 4 x 4 have one scramble, and each
+// has a digital shift of its own. The first 2^k samples of all 16 together have one point in every elementary
+// interval of area 2^-(k+4), and those of 2 x 2 pixels one in those of area 2^-(k+2). So a mean over pixels
+// has less noise than a mean over as many independent samples, and what noise there is has high frequencies.
+// The goal is that of A. Ahmed, P. Wonka, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error
+// via Hierarchical Ordering of Pixels", 2020, whose samplers have to know the number of samples in advance.
 #ifndef METAMARCH_SHARED_SOBOL_H
 #define METAMARCH_SHARED_SOBOL_H
 #include "interop.h"
@@ -43,7 +50,8 @@ SHARED_FN uint bounceDimension(const uint bounce, const uint decision) {
 
 // Identifies one sample of one pixel.
 struct PixelSample {
-    uint seed;          // hash of the pixel and the render's seed
+    uint seed;          // hash of the pixel's block and the render's seed
+    uint place;         // of the pixel in its block: bits 0 and 2 are those of x, bits 1 and 3 those of y
     uint reversedIndex; // index of the sample, with its bits reversed
 };
 
@@ -54,8 +62,21 @@ SHARED_FN uint hashed(const uint x) {
     return b ^ (b >> 16u);
 }
 
+// The matrices that make a pixel's digital shift of both coordinates from the four bits of its place in the
+// block, as columns. Row i makes digit i, and the rows repeat after six. They were found by a search, and
+// hold for every k from 0 to 28: beside the Sobol sequence's matrices for k bits of the index they make a (0,
+// k + 4, 2)-net, and their first two columns alone a (0, k + 2, 2)-net.
+const uvec4 kFirstShift = uvec4(0xb6db6db6u, 0x6db6db6du, 0x3cf3cf3cu, 0xa28a28a2u);
+const uvec4 kSecondShift = uvec4(0x6db6db6du, 0xb6db6db6u, 0x45145145u, 0xa28a28a2u);
+
+SHARED_FN uint pixelShift(const uint place, const uvec4 columns) {
+    return ((place & 1u) * columns.x) ^ (((place >> 1u) & 1u) * columns.y) ^
+           (((place >> 2u) & 1u) * columns.z) ^ ((place >> 3u) * columns.w);
+}
+
 SHARED_FN PixelSample makePixelSample(const uint x, const uint y, const uint index, const uint seed) {
-    return PixelSample(hashed(x + hashed(y + hashed(seed))), bitfieldReverse(index));
+    const uint place = (x & 1u) | ((y & 1u) << 1u) | ((x & 2u) << 1u) | ((y & 2u) << 2u);
+    return PixelSample(hashed((x >> 2u) + hashed((y >> 2u) + hashed(seed))), place, bitfieldReverse(index));
 }
 
 // Returns the index of the sample, counted from 0.
@@ -67,6 +88,12 @@ SHARED_FN uint scrambledReversed(const uint x, const uint seed) {
     const uint b = (a + seed) * ((seed >> 16u) | 1u);
     const uint c = b ^ (b * 0x05526c56u);
     return c ^ (c * 0x53a22864u);
+}
+
+// An Owen scramble on reversed bits of an index that takes 0 to 0. So it takes the first 2^k indices to
+// themselves.
+SHARED_FN uint shuffledReversed(const uint x, const uint seed) {
+    return scrambledReversed(x, seed) ^ scrambledReversed(0u, seed);
 }
 
 SHARED_FN uint scrambled(const uint x, const uint seed) {
@@ -86,22 +113,46 @@ SHARED_FN uint sobolSecond(const uint first) {
 // Returns a multiple of 2^-24 in [0, 1); rounding to a float cannot reach 1.
 SHARED_FN float unitInterval(const uint bits) { return float(bits >> 8u) * 5.9604644775390625e-8f; }
 
+// Returns the product of b, in [0, 3], and one of the three elements of GF(4) other than 0, which a uniform
+// number in [0, 255] chooses. Two bits of the constant are a product, eight are a row of the table.
+SHARED_FN uint timesElement(const uint uniform8, const uint b) {
+    const uint element = (uniform8 * 3u) >> 8u;
+    return (0x9c78e4u >> (8u * element + 2u * b)) & 3u;
+}
+
+// Returns which of the block's 16 shifts a pixel takes in a dimension with this seed. The pixels of a quarter
+// stay together. Affine maps of GF(4) send every two pixels of a quarter to every two places equally often,
+// as every two quarters, so the shifts of two dimensions are not correlated.
+SHARED_FN uint shiftedPlace(const uint place, const uint seed) {
+    const uint quarter = place >> 2u;
+    const uint added = (seed >> (2u * quarter)) & 3u;
+    return (timesElement(seed >> 24u, place & 3u) ^ added) |
+           (timesElement((seed >> 16u) & 255u, quarter) << 2u);
+}
+
+// Returns the first coordinate of the sample's point in a dimension with this seed, before shift and
+// scramble. Each pixel takes the points of the block in an order of its own.
+SHARED_FN uint pointOf(const PixelSample at, const uint seed) {
+    return shuffledReversed(at.reversedIndex, hashed(seed + 2u + at.place));
+}
+
 // Returns the random number of `dimension` for one of several things, each of which has its own. For
 // kBounceAlpha, a thing is a triangle, so the order in which triangles are met does not matter.
 SHARED_FN float sampleOf(const PixelSample at, const uint dimension, const uint thing) {
     const uint seed = hashed(at.seed ^ hashed(dimension + thing * 0x9e3779b9u));
-    const uint point = scrambledReversed(at.reversedIndex, seed);
-    return unitInterval(scrambled(point, hashed(seed + 1u)));
+    const uint shift = pixelShift(shiftedPlace(at.place, seed), kFirstShift);
+    return unitInterval(scrambled(pointOf(at, seed) ^ shift, hashed(seed)));
 }
 
 SHARED_FN float sample1d(const PixelSample at, const uint dimension) { return sampleOf(at, dimension, 0u); }
 
 SHARED_FN vec2 sample2d(const PixelSample at, const uint dimension) {
     const uint seed = hashed(at.seed ^ hashed(dimension));
-    const uint first = scrambledReversed(at.reversedIndex, seed);
-    const uint second = sobolSecond(first);
-    return vec2(unitInterval(scrambled(first, hashed(seed + 1u))),
-                unitInterval(scrambled(second, hashed(seed + 2u))));
+    const uint first = pointOf(at, seed);
+    const uint place = shiftedPlace(at.place, seed);
+    return vec2(
+        unitInterval(scrambled(first ^ pixelShift(place, kFirstShift), hashed(seed))),
+        unitInterval(scrambled(sobolSecond(first) ^ pixelShift(place, kSecondShift), hashed(seed + 1u))));
 }
 
 SHARED_END

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 #include <vector>
@@ -53,23 +55,131 @@ TEST(Sobol, secondDimensionHasItsDirectionNumbers) {
     }
 }
 
+// Expects one point in each elementary interval of any shape. The number of points is 2^k.
+void expectNet(const std::vector<vec2>& all, uint k) {
+    ASSERT_EQ(all.size(), std::size_t{1} << k);
+    for (uint columnBits = 0; columnBits <= k; ++columnBits) {
+        const auto columns = static_cast<float>(1u << columnBits);
+        const auto rows = static_cast<float>(1u << (k - columnBits));
+        std::set<std::pair<int, int>> cells;
+        for (const vec2& point : all) {
+            cells.insert({static_cast<int>(point.x * columns), static_cast<int>(point.y * rows)});
+        }
+        ASSERT_EQ(cells.size(), all.size()) << columnBits << " of " << k;
+    }
+}
+
 TEST(Sobol, everyElementaryIntervalHoldsOnePoint) {
     for (uint k = 1; k <= 10; ++k) {
         const uint count = 1u << k;
         // The first samples, and a later, aligned range as a resumed render draws it.
         for (const uint first : {0u, 5u * count}) {
-            const std::vector<vec2> all = points(17, 4, kDimensionLens, count, first);
-            for (uint columnBits = 0; columnBits <= k; ++columnBits) {
-                const auto columns = static_cast<float>(1u << columnBits);
-                const auto rows = static_cast<float>(1u << (k - columnBits));
-                std::set<std::pair<int, int>> cells;
-                for (const vec2& point : all) {
-                    cells.insert({static_cast<int>(point.x * columns), static_cast<int>(point.y * rows)});
+            expectNet(points(17, 4, kDimensionLens, count, first), k);
+        }
+    }
+}
+
+// Returns the rank of binary vectors.
+uint rankOf(std::vector<std::uint64_t> vectors) {
+    uint rank = 0;
+    for (std::uint64_t bit = 1; bit != 0; bit <<= 1u) {
+        const auto pivot = std::ranges::find_if(vectors, [&](std::uint64_t v) { return (v & bit) != 0; });
+        if (pivot != vectors.end()) {
+            const std::uint64_t row = *pivot;
+            *pivot = 0;
+            for (std::uint64_t& vector : vectors) {
+                vector ^= (vector & bit) != 0 ? row : 0;
+            }
+            ++rank;
+        }
+    }
+    return rank;
+}
+
+// Points are a linear function of k bits of the index and some bits of the place. A net is one where the
+// function to the first digits of both coordinates can be inverted, however many of them are of the first.
+TEST(Sobol, shiftsMakeANetForEveryNumberOfSamples) {
+    for (const uint placeBits : {2u, 4u}) {
+        for (uint k = 0; k + placeBits <= 32; ++k) {
+            std::vector<std::uint64_t> columns;
+            for (uint bit = 0; bit < k; ++bit) {
+                const uint first = 0x80000000u >> bit;
+                columns.push_back(std::uint64_t{first} << 32u | sobolSecond(first));
+            }
+            for (uint bit = 0; bit < placeBits; ++bit) {
+                columns.push_back(std::uint64_t{pixelShift(1u << bit, kFirstShift)} << 32u |
+                                  pixelShift(1u << bit, kSecondShift));
+            }
+            const uint digits = k + placeBits;
+            for (uint ofFirst = 0; ofFirst <= digits; ++ofFirst) {
+                const std::uint64_t mask = ~(0xffffffffull >> ofFirst) << 32u |
+                                           (0xffffffffull & ~(0xffffffffull >> (digits - ofFirst)));
+                std::vector<std::uint64_t> truncated = columns;
+                for (std::uint64_t& column : truncated) {
+                    column &= mask;
                 }
-                ASSERT_EQ(cells.size(), count) << columnBits << " of " << k;
+                ASSERT_EQ(rankOf(truncated), digits) << k << ' ' << placeBits << ' ' << ofFirst;
             }
         }
     }
+}
+
+// Two pixels of a block take every two different places of shifts equally often.
+TEST(Sobol, shiftsOfTwoDimensionsAreNotCorrelated) {
+    constexpr uint kSeeds = 24000;
+    for (const auto& [a, b] : {std::pair{0u, 1u}, {2u, 3u}, {12u, 15u}}) { // of one quarter
+        std::map<std::pair<uint, uint>, int> times;
+        for (uint i = 0; i < kSeeds; ++i) {
+            const uint seed = hashed(i);
+            ++times[{shiftedPlace(a, seed) & 3u, shiftedPlace(b, seed) & 3u}];
+        }
+        ASSERT_EQ(times.size(), 12u);
+        for (const auto& [places, count] : times) {
+            EXPECT_NEAR(count, kSeeds / 12, 6.0 * std::sqrt(kSeeds / 12)) << places.first << places.second;
+        }
+    }
+    for (uint i = 0; i < 1000; ++i) {
+        std::set<uint> places;
+        for (uint place = 0; place < 16; ++place) {
+            places.insert(shiftedPlace(place, hashed(i)));
+            EXPECT_EQ(shiftedPlace(place, hashed(i)) >> 2u, shiftedPlace(place & 12u, hashed(i)) >> 2u);
+        }
+        EXPECT_EQ(places.size(), 16u);
+    }
+}
+
+// Samples of all pixels of a block, and of each quarter of it, together.
+TEST(Sobol, neighboursShareTheElementaryIntervals) {
+    struct Block {
+        uint x;
+        uint y;
+        uint size; // pixels along a side
+        uint bits; // log2 of the number of pixels
+    };
+    for (const Block block :
+         {Block{12, 40, 4, 4}, Block{12, 40, 2, 2}, Block{14, 40, 2, 2}, Block{14, 42, 2, 2}}) {
+        for (uint k = 0; k <= 7; ++k) {
+            std::vector<vec2> all;
+            for (uint pixel = 0; pixel < block.size * block.size; ++pixel) {
+                const std::vector<vec2> own = points(block.x + pixel % block.size,
+                                                     block.y + pixel / block.size, kDimensionLens, 1u << k);
+                all.insert(all.end(), own.begin(), own.end());
+            }
+            expectNet(all, k + block.bits);
+        }
+    }
+}
+
+TEST(Sobol, oneNumberOfNeighboursIsStratified) {
+    constexpr uint kCount = 16;
+    std::set<int> cells;
+    for (uint pixel = 0; pixel < 16; ++pixel) {
+        for (uint i = 0; i < kCount; ++i) {
+            const PixelSample at = makePixelSample(8 + pixel % 4, pixel / 4, i, kSeed);
+            cells.insert(static_cast<int>(sample1d(at, 14) * 16 * kCount));
+        }
+    }
+    EXPECT_EQ(cells.size(), 16 * kCount);
 }
 
 TEST(Sobol, oneNumberIsStratifiedToo) {
@@ -88,7 +198,7 @@ TEST(Sobol, numbersLieBelowOne) {
     EXPECT_EQ(unitInterval(0u), 0.0f);
 }
 
-TEST(Sobol, dimensionsAndPixelsDoNotCorrelate) {
+TEST(Sobol, dimensionsAndBlocksDoNotCorrelate) {
     // The mean product of a pair of coordinates over many pixels, at sample counts where a bad scramble would
     // repeat its pattern. The bound is six standard deviations.
     constexpr uint kPixels = 4096;
@@ -96,7 +206,7 @@ TEST(Sobol, dimensionsAndPixelsDoNotCorrelate) {
         std::vector<double> here(kPixels);
         std::vector<double> sameSet(kPixels);
         std::vector<double> otherDimension(kPixels);
-        std::vector<double> nextPixel(kPixels);
+        std::vector<double> nextBlock(kPixels);
         std::vector<double> nextSample(kPixels);
         std::vector<double> otherThing(kPixels);
         for (uint p = 0; p < kPixels; ++p) {
@@ -107,12 +217,12 @@ TEST(Sobol, dimensionsAndPixelsDoNotCorrelate) {
             here[p] = point.x;
             sameSet[p] = point.y;
             otherDimension[p] = sample2d(at, 12).x;
-            nextPixel[p] = sample2d(makePixelSample(x + 1, y, index, kSeed), 11).x;
+            nextBlock[p] = sample2d(makePixelSample(x + 4, y, index, kSeed), 11).x;
             nextSample[p] = sample2d(makePixelSample(x, y, index + 4, kSeed), 11).x;
             otherThing[p] = sampleOf(at, 11, 1);
         }
         const double bound = 6.0 / std::sqrt(kPixels);
-        for (const auto* other : {&sameSet, &otherDimension, &nextPixel, &nextSample, &otherThing}) {
+        for (const auto* other : {&sameSet, &otherDimension, &nextBlock, &nextSample, &otherThing}) {
             EXPECT_LT(std::abs(correlation(here, *other)), bound) << index;
         }
     }
@@ -191,6 +301,23 @@ TEST(Sobol, integratesBetterThanRandomNumbers) {
         EXPECT_LT(sobol.disc, independent.disc / 2.5) << samples;
         EXPECT_LT(sobol.smooth, independent.smooth / 15.0) << samples;
     }
+}
+
+// The mean over a block is as good as one pixel of as many samples, and not as one of independent pixels.
+TEST(Sobol, neighboursIntegrateTogether) {
+    constexpr uint kSamples = 16;
+    const Errors one = errorsOf(
+        16 * kSamples, [](uint pixel, uint i) { return sample2d(makePixelSample(pixel, 0, i, kSeed), 19); });
+    const Errors block = errorsOf(16 * kSamples, [](uint pixel, uint i) {
+        return sample2d(makePixelSample(4 * pixel + i % 4, i / 4 % 4, i / 16, kSeed), 19);
+    });
+    const Errors apart = errorsOf(16 * kSamples, [](uint pixel, uint i) {
+        return sample2d(makePixelSample(4 * (16 * pixel + i % 16), 0, i / 16, kSeed), 19);
+    });
+    EXPECT_LT(block.disc, 1.2 * one.disc);
+    EXPECT_LT(block.smooth, 1.2 * one.smooth);
+    EXPECT_LT(2.0 * block.disc, apart.disc);
+    EXPECT_LT(2.0 * block.smooth, apart.smooth);
 }
 
 TEST(Sobol, seedChangesEveryNumber) {
