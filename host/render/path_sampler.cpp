@@ -94,7 +94,7 @@ DevicePathSampler::DevicePathSampler(const vulkan::Device& device, const SceneBu
                                      const PathWork& work, const std::uint32_t mostTiles)
     : work_(work), tiles_(Tiling(work.area).count),
       mostTiles_(
-          tilesAtOnce(tiles_, mostTiles, device.freeMemory(), PathTracer::bytesOfTile(work.request.parts))) {
+          tilesAtOnce(tiles_, mostTiles, device.freeMemory(), DeviceFilm::bytesOfTile(work.request.parts))) {
     while (!tracer_) {
         try {
             tracer_ = std::make_unique<PathTracer>(device, scene, shading, traversal, mostTiles_,

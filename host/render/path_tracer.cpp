@@ -33,35 +33,13 @@ vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const SceneBu
     return scene.makePipeline(device, "path", traversal, own);
 }
 
-// Returns a buffer with `bytes` for each pixel of the tiles. Of a part that the film lacks it has one pixel,
-// because a binding needs a buffer.
-vulkan::Buffer filmPart(const vulkan::Device& device, const std::uint32_t tiles, const bool isThere,
-                        const std::size_t bytes, const char* const name) {
-    return {device, vulkan::BufferUse::storage, isThere ? std::uint64_t{tiles} * kTilePixels * bytes : bytes,
-            name};
-}
-
-// Copies the pixels of tiles as they lie on the device, from the first one of a film on.
-template <class T>
-std::vector<T> readTiles(const vulkan::Device& device, const vulkan::Buffer& buffer,
-                         const std::uint32_t tiles) {
-    std::vector<T> values(std::size_t{tiles} * kTilePixels);
-    vulkan::read(device, buffer, 0, std::as_writable_bytes(std::span(values)));
-    return values;
-}
-
 } // namespace
-
-std::uint64_t PathTracer::bytesOfTile(const std::uint32_t parts) {
-    const std::uint64_t light = has(parts, kFilmLight) ? sizeof(LightParts) : 0;
-    const std::uint64_t hit = has(parts, kFilmHits) ? kBlockSamples * sizeof(std::uint32_t) : 0;
-    return kTilePixels * (2 * (sizeof(FilmPixel) + light) + hit);
-}
 
 PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                        const ShadingBuffers& shading, const std::string& usedTraversal,
                        const std::uint32_t mostTiles, const std::uint32_t usedParts,
-                       const std::span<const std::uint32_t> spirv, const std::uint32_t firstTurns)
+                       const std::span<const std::uint32_t> spirv, const std::uint32_t firstTurns,
+                       const std::uint32_t mostTilesOfBand)
     : device(usedDevice), traversal(usedTraversal), parts(usedParts),
       pipeline(makePipeline(usedDevice, scene, shading, usedTraversal, usedParts, spirv)),
       addBlock(makeKernel(usedDevice, "add_block",
@@ -69,26 +47,27 @@ PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& sce
                            .pushConstantSize = sizeof(AddBlockPush),
                            .specialization = {{kSpecFilm, usedParts}}})),
       inputBuffer(usedDevice, vulkan::BufferUse::storage, sizeof(PathInput), "input"),
-      filmBuffer(filmPart(usedDevice, mostTiles, true, sizeof(FilmPixel), "film")),
-      totalBuffer(filmPart(usedDevice, mostTiles, true, sizeof(FilmPixel), "film of earlier blocks")),
-      lightBuffer(filmPart(usedDevice, mostTiles, has(usedParts, kFilmLight), sizeof(LightParts), "light")),
-      totalLightBuffer(filmPart(usedDevice, mostTiles, has(usedParts, kFilmLight), sizeof(LightParts),
-                                "light of earlier blocks")),
-      hits(filmPart(usedDevice, mostTiles, has(usedParts, kFilmHits), kBlockSamples * sizeof(std::uint32_t),
-                    "first hits")),
+      deviceFilm(usedDevice, mostTiles, usedParts, mostTilesOfBand),
       status(usedDevice, vulkan::BufferUse::storage, sizeof(PathStatus), "status"),
       statusReadback(usedDevice, vulkan::BufferUse::readback, sizeof(PathStatus), "status read back"),
       submission(usedDevice), work(mostTiles * kBlockSamples), turns(firstTurns) {
     shading.bindTo(pipeline);
     pipeline.bind(kBindInput, inputBuffer);
     pipeline.bind(kBindPathStatus, status);
+    bindBand(0);
+}
+
+// No submission may be running.
+void PathTracer::bindBand(const std::size_t band) {
+    const DeviceFilm::Band& film = deviceFilm.bands()[band];
     for (vulkan::ComputePipeline* const both : {&pipeline, &addBlock}) {
-        both->bind(kBindOutput, filmBuffer);
-        both->bind(kBindTotal, totalBuffer);
-        both->bind(kBindLight, lightBuffer);
+        both->bind(kBindOutput, film.block);
+        both->bind(kBindTotal, film.total);
+        both->bind(kBindLight, film.blockLight);
     }
-    pipeline.bind(kBindHits, hits);
-    addBlock.bind(kBindTotalLight, totalLightBuffer);
+    pipeline.bind(kBindHits, film.hits);
+    addBlock.bind(kBindTotalLight, film.totalLight);
+    boundBand = band;
 }
 
 void PathTracer::start(const Camera& camera, const PathSettings& settings, const TileRange wanted) {
@@ -110,7 +89,11 @@ void PathTracer::start(const Camera& camera, const PathSettings& settings, const
     next = tiles.end;
     unfinished = {};
     if (firstSample > 0) { // with sample 0 the kernel does it
-        submission.run([&](vulkan::Commands& commands) { commands.fill(totalBuffer, 0); });
+        submission.run([&](vulkan::Commands& commands) {
+            for (const DeviceFilm::Band& band : deviceFilm.bands()) {
+                commands.fill(band.total, 0);
+            }
+        });
     }
 }
 
@@ -132,7 +115,10 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
         next = tiles.first;
     }
     const std::uint32_t samples = std::max(passEnd - taken, 1u);
-    const std::uint32_t most = std::min(tiles.end - next, device.report().maxComputeWorkGroupCount[0]);
+    // A dispatch writes one band.
+    const std::uint32_t ofBand = deviceFilm.tilesOfBand() - (next - tiles.first) % deviceFilm.tilesOfBand();
+    const std::uint32_t most =
+        std::min({tiles.end - next, ofBand, device.report().maxComputeWorkGroupCount[0]});
     const std::uint32_t count = std::clamp(work.units() / samples, 1u, most);
     const bool isNew = unfinished.count() == 0;
     const TileRange part = isNew ? TileRange{next, next + count} : unfinished;
@@ -173,13 +159,18 @@ TileRange PathTracer::advance(const std::uint32_t endSample, const std::uint32_t
 PathTracer::Outcome PathTracer::dispatch(const TileRange part, const std::uint32_t firstSample,
                                          const std::uint32_t endSample) {
     const bool isFresh = taken == blockFirst && unfinished.count() == 0 && !hasSums;
+    const std::uint32_t band = (part.first - tiles.first) / deviceFilm.tilesOfBand();
+    const std::uint32_t bandPlace = tiles.first + band * deviceFilm.tilesOfBand();
+    if (band != boundBand) {
+        bindBand(band);
+    }
     const double seconds = submission.run([&](vulkan::Commands& commands) {
         commands.fill(status, 0);
         if (isFresh && blockFirst > filmFirst) {
-            commands.dispatch(addBlock, {part.count(), 1, 1}, AddBlockPush{part.first - tiles.first});
+            commands.dispatch(addBlock, {part.count(), 1, 1}, AddBlockPush{part.first - bandPlace});
         }
         commands.dispatch(pipeline, {part.count(), 1, 1},
-                          PathPush{part.first, order, blockFirst, endSample - blockFirst, tiles.first,
+                          PathPush{part.first, order, blockFirst, endSample - blockFirst, bandPlace,
                                    isFresh ? 1u : 0u, turns});
         commands.copy(status, 0, statusReadback, 0, sizeof(PathStatus));
     });
@@ -243,9 +234,10 @@ struct PathTracer::TileSums {
 PathTracer::TileSums PathTracer::readSums() const {
     const std::uint32_t begun = begunTiles().count();
     const std::uint32_t lit = has(parts, kFilmLight) ? begun : 0;
-    return {readTiles<FilmPixel>(device, filmBuffer, begun), readTiles<FilmPixel>(device, totalBuffer, begun),
-            readTiles<LightParts>(device, lightBuffer, lit),
-            readTiles<LightParts>(device, totalLightBuffer, lit)};
+    return {deviceFilm.read<FilmPixel>(&DeviceFilm::Band::block, begun),
+            deviceFilm.read<FilmPixel>(&DeviceFilm::Band::total, begun),
+            deviceFilm.read<LightParts>(&DeviceFilm::Band::blockLight, lit),
+            deviceFilm.read<LightParts>(&DeviceFilm::Band::totalLight, lit)};
 }
 
 // The place in a film of the area of pixel i of the tiles; kOutside for one that is only in the tile.
@@ -272,12 +264,14 @@ FilmPixel PathTracer::pixel(const std::uint32_t x, const std::uint32_t y) const 
     if (x >= area.width() || y >= area.height() || place < begun.first || place >= begun.end) {
         return emptyPixel();
     }
-    const std::uint64_t index = std::uint64_t{place - tiles.first} * kTilePixels +
+    const std::uint32_t tile = place - tiles.first;
+    const DeviceFilm::Band& band = deviceFilm.bands()[tile / deviceFilm.tilesOfBand()];
+    const std::uint64_t index = std::uint64_t{tile % deviceFilm.tilesOfBand()} * kTilePixels +
                                 std::uint64_t{y % kTileSide} * kTileSide + x % kTileSide;
     std::array<FilmPixel, 2> pair;
-    vulkan::read(device, totalBuffer, index * sizeof(FilmPixel),
+    vulkan::read(device, band.total, index * sizeof(FilmPixel),
                  std::as_writable_bytes(std::span(pair).first(1)));
-    vulkan::read(device, filmBuffer, index * sizeof(FilmPixel),
+    vulkan::read(device, band.block, index * sizeof(FilmPixel),
                  std::as_writable_bytes(std::span(pair).last(1)));
     return addPixel(pair[0], pair[1]);
 }
@@ -295,8 +289,8 @@ std::uint32_t PathTracer::downloadSums(FilmData& earlier, FilmData& block,
                                        const std::span<const std::uint32_t> groups) const {
     const TileSums read = readSums();
     const bool countsHits = has(parts, kFilmHits) && !groups.empty();
-    const auto triangles = readTiles<std::array<std::uint32_t, kBlockSamples>>(
-        device, hits, countsHits ? begunTiles().count() : 0);
+    const auto triangles = deviceFilm.read<std::array<std::uint32_t, kBlockSamples>>(
+        &DeviceFilm::Band::hits, countsHits ? begunTiles().count() : 0);
     // Where the pass has not come yet, the last block is the one before.
     const bool isFirstPass = passEnd > taken && taken == blockFirst && blockFirst > filmFirst && !hasSums;
     const std::uint32_t reached = isFirstPass ? std::max(next, unfinished.end) : tiles.end;
@@ -345,10 +339,10 @@ void PathTracer::upload(const FilmData& earlier, const FilmData& block) {
             }
         }
     }
-    vulkan::write(device, filmBuffer, 0, std::as_bytes(std::span(written.blocks)));
-    vulkan::write(device, totalBuffer, 0, std::as_bytes(std::span(written.totals)));
-    vulkan::write(device, lightBuffer, 0, std::as_bytes(std::span(written.lights)));
-    vulkan::write(device, totalLightBuffer, 0, std::as_bytes(std::span(written.totalLights)));
+    deviceFilm.write(&DeviceFilm::Band::block, written.blocks);
+    deviceFilm.write(&DeviceFilm::Band::total, written.totals);
+    deviceFilm.write(&DeviceFilm::Band::blockLight, written.lights);
+    deviceFilm.write(&DeviceFilm::Band::totalLight, written.totalLights);
     hasSums = true;
 }
 

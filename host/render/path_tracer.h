@@ -2,6 +2,7 @@
 // Runs the path tracer on a Vulkan device, one short submission at a time. Both whole pictures and pictures
 // that grow on a screen are made with it.
 #pragma once
+#include "metamarch/render/device_film.h"
 #include "metamarch/render/film_run.h"
 #include "metamarch/render/scene_buffers.h"
 #include "metamarch/render/shading_buffers.h"
@@ -34,15 +35,13 @@ class PathTracer {
     // The most surfaces of an invocation in one dispatch: enough for 16 samples of 64 surfaces.
     static constexpr std::uint32_t kFirstTurns = 1024;
 
-    // What each tile of a film with these parts takes of the device's memory.
-    static std::uint64_t bytesOfTile(std::uint32_t parts);
-
     // Allocates a film of `mostTiles` tiles on the device, with the parts kFilm… that `parts` names. A
     // `spirv` that is not empty replaces the embedded kernel. Throws Error(outOfMemory) if the film does not
     // fit.
     PathTracer(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
                const std::string& traversal, std::uint32_t mostTiles, std::uint32_t parts = 0,
-               std::span<const std::uint32_t> spirv = {}, std::uint32_t firstTurns = kFirstTurns);
+               std::span<const std::uint32_t> spirv = {}, std::uint32_t firstTurns = kFirstTurns,
+               std::uint32_t mostTilesOfBand = DeviceFilm::kAllTiles);
 
     // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
@@ -73,10 +72,9 @@ class PathTracer {
 
     const PathCounters& counters() const { return sums; }
 
-    // The sums of the last block of each pixel, and those of all blocks before it; addPixel makes the pixel
-    // of them. The layout is [place - tiles.first][pixel in tile]. Only begunTiles() are valid.
-    const vulkan::Buffer& film() const { return filmBuffer; }
-    const vulkan::Buffer& total() const { return totalBuffer; }
+    // addPixel makes a pixel of its two sums. The tile in place p is tile p - tiles.first of the film. Only
+    // begunTiles() are valid.
+    const DeviceFilm& film() const { return deviceFilm; }
     const Camera& camera() const { return input.camera; }
 
     // Copies the film into `film`, which covers the area. Pixels without samples stay as they are.
@@ -106,6 +104,7 @@ class PathTracer {
         stuck,       // some of the former gained none
     };
     Outcome dispatch(TileRange part, std::uint32_t firstSample, std::uint32_t endSample);
+    void bindBand(std::size_t band);
     TileSums readSums() const;
     std::size_t indexInArea(std::uint32_t i) const;
     std::uint32_t placeOfTile(std::uint32_t row, std::uint32_t column) const;
@@ -116,11 +115,8 @@ class PathTracer {
     vulkan::ComputePipeline pipeline;
     vulkan::ComputePipeline addBlock;
     vulkan::Buffer inputBuffer;
-    vulkan::Buffer filmBuffer;
-    vulkan::Buffer totalBuffer;
-    vulkan::Buffer lightBuffer; // like filmBuffer and totalBuffer
-    vulkan::Buffer totalLightBuffer;
-    vulkan::Buffer hits;
+    DeviceFilm deviceFilm;
+    std::size_t boundBand = 0;
     vulkan::Buffer status;
     vulkan::Buffer statusReadback;
     vulkan::Submission submission;

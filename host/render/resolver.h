@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace metamarch::render {
 
@@ -26,7 +27,8 @@ class Resolver {
 
   private:
     vulkan::Buffer pictureBuffer;
-    vulkan::ComputePipeline pipeline;
+    const DeviceFilm& film;
+    std::vector<vulkan::ComputePipeline> pipelines; // one for each band of the film
 };
 
 } // namespace metamarch::render

@@ -204,7 +204,7 @@ void drawStatistics(const ViewerState& state) {
     line(now.device);
     line(fmt::format("{:.1f} frames/s, {} x {}", now.framesPerSecond, state.size.x, state.size.y));
     if (now.filmSize != state.size && now.filmSize.x > 0) {
-        line(fmt::format("the picture has {} x {} pixels, all that fit into a buffer", now.filmSize.x,
+        line(fmt::format("the picture has {} x {} pixels, all that fit into memory", now.filmSize.x,
                          now.filmSize.y));
     }
     if (!state.settings.view) {

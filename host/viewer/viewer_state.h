@@ -104,7 +104,7 @@ struct Statistics {
     double samples = 0.0;                    // mean number of samples per pixel so far
     std::array<double, 2> viewportSeconds{}; // left and right: device time per sample, or of the whole view;
                                              // 0: the first sample is not complete
-    glm::uvec2 filmSize{0};                  // pixels; less than the window's where a device binds no more
+    glm::uvec2 filmSize{0};                  // pixels; less than the window's where memory is short
     std::uint64_t deviceBytes = 0;           // of the scene
     std::string device;                      // its name and driver
 };

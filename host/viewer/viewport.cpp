@@ -21,7 +21,7 @@ constexpr double kLongestPreview = 3.0;
 constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLeastFilmBytes = std::uint64_t{1} << 20; // 9,000 pixels: something to see
 
-// A viewport has two buffers of this size, and smaller ones for the coarse and the sharp preview; a split has
+// A viewport has two sums of this size, and smaller ones for the coarse and the sharp preview; a split has
 // two viewports. One part of the free memory is left to the driver and to other programs.
 constexpr std::uint64_t kParts = 6;
 
@@ -30,7 +30,7 @@ glm::uvec2 divided(const glm::uvec2 size, const std::uint32_t by) { return (size
 // Returns the window's size, or, if the film would be too large, that size divided by a whole number.
 glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
     const std::uint64_t free = std::max(device.freeMemory() / kParts, kLeastFilmBytes);
-    const std::uint64_t most = std::min({kMostFilmBytes, device.report().maxStorageBufferRange, free});
+    const std::uint64_t most = std::min(kMostFilmBytes, free);
     std::uint32_t by = 1;
     glm::uvec2 size = window;
     const auto bytes = [](const glm::uvec2 s) {

@@ -17,7 +17,7 @@ void main() {
     if (pixel.x >= push.width || pixel.y >= push.height) {
         return;
     }
-    const uint index = place * kTilePixels + gl_LocalInvocationIndex;
+    const uint index = (place - push.bandPlace) * kTilePixels + gl_LocalInvocationIndex;
     const FilmPixel sum = addPixel(total[index], film[index]);
     const vec3 shown = toneMapped(push.toneOperator, push.scale, meanRadiance(sum));
     picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packedLinear(shown);

@@ -16,7 +16,8 @@ const uint kScreenTile = 64u; // pixels of a row that one workgroup of `present`
 struct ResolvePush {
     uint firstPlace;
     TileOrder order;
-    uint width; // of the film, in pixels
+    uint bandPlace; // the first place of the film in the buffers that are bound
+    uint width;     // of the film, in pixels
     uint height;
     uint toneOperator; // tone_mapping.h
     float scale;       // factor of radiance
@@ -43,7 +44,7 @@ SHARED_FN uint withBlueFirst(const uint pixel) {
     return (pixel & 0xff00ff00u) | ((pixel & 0xffu) << 16u) | ((pixel >> 16u) & 0xffu);
 }
 
-SHARED_ASSERT_SIZE(ResolvePush, 36)
+SHARED_ASSERT_SIZE(ResolvePush, 40)
 SHARED_ASSERT_SIZE(PresentPush, 36)
 
 SHARED_END

@@ -56,9 +56,16 @@ class GrowingFilm : public testing::Test {
         return takeSamples(sampler, samples).pixels;
     }
 
-    render::PathTracer tracer() const {
-        return {vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
-                render::Tiling(camera).count};
+    render::PathTracer tracer(const std::uint32_t mostTilesOfBand = render::DeviceFilm::kAllTiles) const {
+        return {vulkan::testDevice(),
+                buffers,
+                shadingBuffers,
+                kDefaultTraversal,
+                render::Tiling(camera).count,
+                0,
+                {},
+                render::PathTracer::kFirstTurns,
+                mostTilesOfBand};
     }
 
     std::vector<FilmPixel> filmOf(const render::PathTracer& from) const {
@@ -94,6 +101,57 @@ TEST_F(GrowingFilm, isTheSameInAnyPieces) {
     }
     EXPECT_EQ(small.samples(), kSamples);
     expectSame(filmOf(small), atOnce(camera, kSamples));
+}
+
+// A film that is larger than a buffer may be lies in several bands, the last of which is smaller.
+TEST_F(GrowingFilm, isTheSameInBands) {
+    constexpr std::uint32_t kSamples = kBlockSamples + 3; // two blocks
+    const std::vector<FilmPixel> expected = atOnce(camera, kSamples);
+    const std::uint32_t tiles = render::Tiling(camera).count;
+    for (const std::uint32_t ofBand : {1u, 8u, tiles - 1}) {
+        render::PathTracer banded = tracer(ofBand);
+        ASSERT_EQ(banded.film().bands().size(), (tiles + ofBand - 1) / ofBand);
+        banded.start(camera, settings, {0, tiles});
+        while (banded.samples() < kSamples) {
+            banded.advance(kSamples, 5, render::WorkSize::kTargetSeconds);
+        }
+        expectSame(filmOf(banded), expected);
+        for (const glm::uvec2 place : {glm::uvec2(0, 0), glm::uvec2(kWidth - 1, 3), glm::uvec2(9, 20)}) {
+            expectSame({banded.pixel(place.x, place.y)}, {expected[place.y * kWidth + place.x]});
+        }
+        const render::Resolver resolver(vulkan::testDevice(), banded, kWidth * kHeight);
+        vulkan::Submission(vulkan::testDevice()).run([&](vulkan::Commands& commands) {
+            resolver.resolve(commands, {1, tiles - 1}, {kWidth, kHeight}, {});
+            resolver.resolve(commands, {0, 1}, {kWidth, kHeight}, {});
+            resolver.resolve(commands, {tiles - 1, tiles}, {kWidth, kHeight}, {});
+        });
+        const auto shown = vulkan::download<std::uint32_t>(vulkan::testDevice(), resolver.picture());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            ASSERT_EQ(shown[i], packedLinear(toneMapped({}, meanRadiance(expected[i])))) << "pixel " << i;
+        }
+    }
+}
+
+// Sums go to bands and come back from them.
+TEST_F(GrowingFilm, goesOnInBands) {
+    constexpr std::uint32_t kBefore = kBlockSamples + 2;
+    constexpr std::uint32_t kSamples = kBlockSamples + 9;
+    const std::uint32_t tiles = render::Tiling(camera).count;
+    render::PathTracer first = tracer(9);
+    first.start(camera, settings, {0, tiles});
+    while (first.samples() < kBefore) {
+        first.advance(kBefore, kBlockSamples, render::WorkSize::kTargetSeconds);
+    }
+    FilmData earlier(std::size_t{kWidth} * kHeight, 0);
+    FilmData block = earlier;
+    const std::uint32_t blockFirst = first.downloadSums(earlier, block);
+    render::PathTracer second = tracer(4);
+    second.start(camera, settings, {0, 0, kWidth, kHeight}, {0, tiles}, blockFirst);
+    second.upload(earlier, block);
+    while (second.samples() < kSamples) {
+        second.advance(kSamples, kBlockSamples, render::WorkSize::kTargetSeconds);
+    }
+    expectSame(filmOf(second), atOnce(camera, kSamples));
 }
 
 TEST_F(GrowingFilm, givesSinglePixels) {

@@ -21,6 +21,17 @@ class FaultsTest(ViewerTest):
                 self.assert_shows(viewer, picture)
                 self.quit(viewer)
 
+    def test_a_film_larger_than_a_buffer_may_be(self):
+        """The film takes 2.1 MB, so it lies in three bands. The window has its full size all the same."""
+        picture = self.render(CORNELL, "--spp", "4")
+        viewer = self.open(CORNELL, "--spp", "4", environment=faults("storageRange=800000"))
+        viewer.wait_for_title(r"cornell.glb - path, 4 of 4 samples - meta_table - metamarch")
+        self.assert_shows(viewer, picture)
+        viewer.key("p")
+        name = viewer.wait_for_line(r"saved (.*), 4 samples a pixel")[1]
+        self.assertEqual(self.pixels(name), picture)
+        self.quit(viewer)
+
     def test_a_film_that_fits_into_little_memory(self):
         """A sixth of the memory holds half of the window's width and height. The film is shown enlarged."""
         width, height, pixels = self.render(CORNELL, "--spp", "4", size="80x60")
