@@ -37,6 +37,7 @@ vulkan::ComputePipeline Inspector::makePipeline(const ViewReads reads) const {
         return bound(scene.makePipeline(device, "cells", "", own));
     }
     shading.addTo(own);
+    own.specialization[kSpecParameters] = reads == ViewReads::parameters ? 1 : 0;
     if (reads == ViewReads::hits) {
         own.specialization[kSpecFeatures] = 0;
     }

@@ -11,7 +11,7 @@ namespace metamarch::render {
 
 // The data that a view's kernel reads. Each kind has a pipeline of its own, because drivers that run both
 // sides of a branch would look up textures for views that need none.
-enum class ViewReads { hits, materials, cells };
+enum class ViewReads { hits, materials, parameters, cells };
 
 // The meaning of InspectPush::scaleMax for a view.
 enum class ViewScale { none, count, distance };
@@ -32,6 +32,10 @@ inline constexpr auto kViewNames = std::to_array<ViewName>({
     {"shading normals", kViewShadingNormals, ViewReads::materials},
     {"uvs", kViewUvs, ViewReads::hits},
     {"albedo", kViewAlbedo, ViewReads::materials},
+    {"metallic", kViewMetallic, ViewReads::parameters},
+    {"roughness", kViewRoughness, ViewReads::parameters},
+    {"emissive", kViewEmissive, ViewReads::parameters},
+    {"transmission", kViewTransmission, ViewReads::parameters},
     {"triangle id", kViewTriangleId, ViewReads::hits},
     {"material id", kViewMaterialId, ViewReads::hits},
     {"leaf id", kViewLeafId, ViewReads::cells},

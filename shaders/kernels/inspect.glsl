@@ -4,6 +4,8 @@
 #include "lib/shading.glsl"
 #include "shared/inspect.h"
 
+layout(constant_id = kSpecParameters) const uint hasParameters = 0u;
+
 void main() {
     const uvec2 pixel = pixelAt(push.order, push.firstPlace + gl_WorkGroupID.x);
     if (!isInPicture(pixel)) {
@@ -18,5 +20,7 @@ void main() {
     if (trace.hit.triangleId != kNoTriangle) {
         triangle = loadTriangle(trace.recordIndex);
     }
-    setPixel(pixel, inspectedPixel(push, camera, inspected(view, ray, trace), triangle));
+    const Inspected found = inspected(view, ray, trace);
+    setPixel(pixel, hasParameters != 0u ? parameterPixel(push, found, triangle)
+                                        : inspectedPixel(push, camera, found, triangle));
 }

@@ -77,5 +77,28 @@ SHARED_FN uint inspectedPixel(SCENE_PARAMETER const InspectPush push, const Came
     return packedPixel(frame.normal * 0.5f + vec3(0.5f));
 }
 
+// The same for the views of parameters of materials.
+SHARED_FN uint parameterPixel(SCENE_PARAMETER const InspectPush push, const Inspected found,
+                              const TriangleRecord triangle) {
+    if (found.steps == kCutShort) {
+        return kUnfinishedColor;
+    }
+    if (found.hit.triangleId == kNoTriangle) {
+        return kMissColor;
+    }
+    const vec3 weights = cornerWeights(found.ray, triangle.v0, triangle.v1, triangle.v2);
+    const Surface surface = loadSurface(SCENE found.hit.triangleId);
+    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const TexturePoint at = finestPoint(SCENE surface, weights);
+    if (push.view == kViewEmissive) {
+        return packedLinear(record.emission * xyz(lookUp(SCENE record.emissionTexture, at)));
+    }
+    if (push.view == kViewTransmission) {
+        return packedPixel(vec3(transmissionOf(SCENE record, at)));
+    }
+    const vec2 parameters = metallicAndRoughness(SCENE record, at);
+    return packedPixel(vec3(push.view == kViewMetallic ? parameters.x : parameters.y));
+}
+
 SHARED_END
 #endif

@@ -16,14 +16,23 @@ const uint kViewNormals = 3u;        // geometric normals, on the front of the t
 const uint kViewShadingNormals = 4u; // with normal map, on the side of the eye
 const uint kViewUvs = 5u;            // the first set of texture coordinates
 const uint kViewAlbedo = 6u;         // base colour
-const uint kViewTriangleId = 7u;
-const uint kViewMaterialId = 8u;
+// Parameters of glTF materials with their textures. A number from 0 to 1 is a grey of that part of 255.
+const uint kViewMetallic = 7u;
+const uint kViewRoughness = 8u;
+const uint kViewEmissive = 9u; // emitted radiance; white is 1 and more
+const uint kViewTransmission = 10u;
+const uint kViewTriangleId = 11u;
+const uint kViewMaterialId = 12u;
 // Views of the meta table's content at the hit point.
-const uint kViewLeafId = 9u;
-const uint kViewCellBorders = 10u; // lattice planes, and where they divide leaves
-const uint kViewExitBoxes = 11u;   // exit boxes of leaves
+const uint kViewLeafId = 13u;
+const uint kViewCellBorders = 14u; // lattice planes, and where they divide leaves
+const uint kViewExitBoxes = 15u;   // exit boxes of leaves
 // The surface under a lamp at the eye: what a window shows while its camera moves.
-const uint kViewHeadlight = 12u;
+const uint kViewHeadlight = 16u;
+
+// Specialization constant of the kernel `inspect`: 1 draws the parameters of materials, 0 the other views.
+// Drivers that run both sides of a branch would look up their textures for all views.
+const uint kSpecParameters = 5u;
 
 struct InspectPush {
     uint firstPlace;

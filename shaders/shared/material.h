@@ -92,14 +92,26 @@ SHARED_FN vec3 baseColorOf(SCENE_PARAMETER const MaterialRecord record, const ve
     return record.baseColor * xyz(color) * xyz(lookUp(SCENE record.baseColorTexture, at));
 }
 
+SHARED_FN vec2 metallicAndRoughness(SCENE_PARAMETER const MaterialRecord record, const TexturePoint at) {
+    const vec4 texel = lookUp(SCENE record.metallicRoughnessTexture, at);
+    return vec2(record.metallic * texel.z, record.roughness * texel.y);
+}
+
+SHARED_FN float transmissionOf(SCENE_PARAMETER const MaterialRecord record, const TexturePoint at) {
+    if (!hasFeature(SCENE kFeatureTransmission)) {
+        return 0.0f;
+    }
+    return record.transmission * lookUp(SCENE record.transmissionTexture, at).x;
+}
+
 // Looks up all textures of the material.
 SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord record, const vec4 color,
                                           const TexturePoint at, const float ior) {
     SurfaceMaterial material;
     material.baseColor = baseColorOf(SCENE record, color, at);
-    const vec4 metallicRoughness = lookUp(SCENE record.metallicRoughnessTexture, at);
-    material.metallic = record.metallic * metallicRoughness.z;
-    material.roughness = record.roughness * metallicRoughness.y;
+    const vec2 metallicRoughness = metallicAndRoughness(SCENE record, at);
+    material.metallic = metallicRoughness.x;
+    material.roughness = metallicRoughness.y;
     material.ior = ior;
     material.flags = record.flags & (kSurfaceVolume | kSurfaceSingleScatter);
     material.specularColor = vec3(1.0f);
@@ -122,10 +134,7 @@ SHARED_FN SurfaceMaterial surfaceMaterial(SCENE_PARAMETER const MaterialRecord r
         material.diffuseTransmission =
             record.diffuseTransmission * lookUp(SCENE record.diffuseTransmissionTexture, at).w;
     }
-    material.transmission = 0.0f;
-    if (hasFeature(SCENE kFeatureTransmission)) {
-        material.transmission = record.transmission * lookUp(SCENE record.transmissionTexture, at).x;
-    }
+    material.transmission = transmissionOf(SCENE record, at);
     material.anisotropy = 0.0f;
     if (hasFeature(SCENE kFeatureAnisotropy)) {
         material.anisotropy = record.anisotropy * lookUp(SCENE record.anisotropyTexture, at).z;

@@ -43,7 +43,8 @@ std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const Shading
                                         const std::string& traversal, const Camera& camera,
                                         const std::uint32_t view, const float scaleMax,
                                         const float scaleMin) {
-    const bool isCells = render::kViewNames.at(view).reads == render::ViewReads::cells;
+    const render::ViewReads reads = render::kViewNames.at(view).reads;
+    const bool isCells = reads == render::ViewReads::cells;
     const TwinLoop& twin = findTwin(isCells ? "meta_table" : traversal);
     const Lattice& lattice = scene.kdTree().lattice;
     const InspectPush push{0, {}, view, scaleMax, scaleMin};
@@ -62,6 +63,8 @@ std::vector<std::uint32_t> inspectOnCpu(const StructureSet& scene, const Shading
                     isHit ? cellFacts(scene.kdTree(), cellPlace(ray, trace.hit.t, lattice.resolution))
                           : noCellFacts();
                 pixel = cellsPixel(push, camera, uvec2(x, y), lattice, found, triangle, facts);
+            } else if (reads == render::ViewReads::parameters) {
+                pixel = parameterPixel(shading, push, found, triangle);
             } else {
                 pixel = inspectedPixel(shading, push, camera, found, triangle);
             }

@@ -238,12 +238,43 @@ TEST_F(InspectorWork, drawsDepthsBetweenTwo) {
     EXPECT_THROW(inspector.start(camera, kViewDepth, 1.0f, 1.0f), std::invalid_argument);
 }
 
+// Factor times texel, as glTF has them: green is the roughness, blue the metallic part, red transmits.
+TEST(InspectorParameters, areFactorTimesTexture) {
+    PathScene made;
+    Material material;
+    material.metallicFactor = 0.5f;
+    material.roughnessFactor = 0.8f;
+    material.emissiveFactor = glm::vec3(0.25f, 0.5f, 1.0f);
+    material.transmissionFactor = 0.6f;
+    const TextureRef texture{.texture =
+                                 addTexture(made.scene, 1, {{51, 102, 204, 255}}, TextureFilter::nearest)};
+    material.metallicRoughnessTexture = texture;
+    material.transmissionTexture = texture;
+    addQuad(made.scene, {-1.0f, -1.0f, 0.0f}, {2.0f, 0.0f, 0.0f}, {0.0f, 2.0f, 0.0f},
+            addMaterial(made.scene, material));
+    made.view = lookAt({0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f});
+    const InspectorOnBothSides sides(made);
+    const Camera camera = sides.camera(1, 1);
+    render::Inspector inspector = sides.inspector(kDefaultTraversal, 1);
+    const auto expectColor = [&](const std::uint32_t view, const std::uint32_t expected) {
+        SCOPED_TRACE(render::kViewNames[view].name);
+        const std::vector<std::uint32_t> picture = draw(inspector, camera, view, 1.0f);
+        EXPECT_EQ(picture.front(), expected);
+        EXPECT_EQ(picture, sides.onCpu(kDefaultTraversal, camera, view, 1.0f));
+    };
+    expectColor(kViewMetallic, packedPixel(vec3(0.5f * 204.0f / 255.0f)));
+    expectColor(kViewRoughness, packedPixel(vec3(0.8f * 102.0f / 255.0f)));
+    expectColor(kViewEmissive, packedLinear(vec3(0.25f, 0.5f, 1.0f)));
+    expectColor(kViewTransmission, packedPixel(vec3(0.6f * 51.0f / 255.0f)));
+}
+
 TEST_F(InspectorWork, storageBuffersDrawTheSame) {
     const InspectorOnBothSides inStorage(blended(), {}, InspectorOnBothSides::Where::storageBuffers);
     ASSERT_EQ(inStorage.memory(), Memory::storage);
     const Camera camera = inStorage.camera(40, 30);
     render::Inspector inspector = inStorage.inspector(kDefaultTraversal, 40 * 30);
-    for (const std::uint32_t view : {kViewSteps, kViewAlbedo, kViewShadingNormals, kViewExitBoxes}) {
+    for (const std::uint32_t view :
+         {kViewSteps, kViewAlbedo, kViewRoughness, kViewShadingNormals, kViewExitBoxes}) {
         SCOPED_TRACE(view);
         expectSamePicture(draw(inspector, camera, view, kManySteps),
                           inStorage.onCpu(kDefaultTraversal, camera, view, kManySteps), 40);
