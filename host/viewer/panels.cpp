@@ -162,6 +162,10 @@ void drawRenderer(ViewerState& state) {
     drawTraversals(state);
     ImGui::Checkbox("denoise", &settings.isDenoised);
     ImGui::Checkbox("preview before the picture", &settings.hasPreview);
+    ImGui::Checkbox("filter the first samples", &settings.hasFilter);
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", "What is saved is never filtered.");
+    }
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);
     }

@@ -30,6 +30,7 @@ void ProgressiveImage::start(const RenderRequest& wanted, const glm::uvec2 size)
     unresolved.clear();
     denoised.clear();
     channelSamples = 0;
+    dropFiltered();
     if (request.view) {
         const Camera camera = makeCamera(request.camera, size.x, size.y, request.lens);
         if (!inspector) {
@@ -65,8 +66,41 @@ bool ProgressiveImage::advance(const double seconds) {
     if (isFinished()) {
         return false;
     }
+    if (isFiltered() && advanceFilter(seconds)) {
+        return true;
+    }
     render::PathTracer& tracer = path->tracer;
     unresolved.push_back(tracer.advance(request.endSample, samplesAtOnce(tracer.samples()), seconds));
+    if (filteredSamples > 0 && !isFiltered()) { // there are samples enough
+        dropFiltered();
+        showAgain();
+    }
+    return true;
+}
+
+bool ProgressiveImage::isFiltered() const {
+    return hasFilter && denoiser == nullptr && channel.empty() && !request.view && wholeSamples() > 0 &&
+           wholeSamples() < render::DisplayFilter::kEnough && !isFinished() &&
+           render::DisplayFilter::fits(device, std::uint64_t{most.x} * most.y);
+}
+
+// Filters the film each time that its samples have doubled. Returns false, and submits nothing, if there is
+// nothing to do.
+bool ProgressiveImage::advanceFilter(const double seconds) {
+    if (!filter) {
+        filter.emplace(device, path->tracer, path->resolver.picture(), most.x * most.y);
+    }
+    if (!filter->isWorking()) {
+        if (wholeSamples() < std::max(2 * filteredSamples, 1u)) {
+            return false;
+        }
+        filter->start(pictureSize, wholeSamples());
+        return true;
+    }
+    if (filter->advance(seconds)) {
+        filteredSamples = wholeSamples();
+        isFilterShown = false;
+    }
     return true;
 }
 
@@ -101,6 +135,8 @@ void ProgressiveImage::showAgain() {
         writeDenoised();
     } else if (showsChannel()) {
         writeChannel();
+    } else if (showsFiltered()) {
+        isFilterShown = false;
     } else if (path && !request.view) {
         unresolved = {path->tracer.begunTiles()};
     }
@@ -111,6 +147,22 @@ void ProgressiveImage::setChannel(const std::string& name) {
         channel = name;
         channelSamples = 0;
         showAgain();
+    }
+}
+
+void ProgressiveImage::setFilter(const bool isWanted) {
+    if (hasFilter == isWanted) {
+        return;
+    }
+    hasFilter = isWanted;
+    dropFiltered();
+    showAgain();
+}
+
+void ProgressiveImage::dropFiltered() {
+    filteredSamples = 0;
+    if (filter) {
+        filter->stop();
     }
 }
 
@@ -140,10 +192,12 @@ void ProgressiveImage::update() {
     }
 }
 
-void ProgressiveImage::writeDenoised() {
-    const std::vector<std::uint32_t> pixels = denoised.pixels(tone);
+void ProgressiveImage::show(const std::vector<std::uint32_t>& pixels) {
     vulkan::write(device, picture(), 0, std::as_bytes(std::span(pixels)));
+    isToClear = false; // no pixel of the picture before is left
 }
+
+void ProgressiveImage::writeDenoised() { show(denoised.pixels(tone)); }
 
 void ProgressiveImage::writeChannel() {
     const Aov& row = aovNamed(channel);
@@ -154,8 +208,7 @@ void ProgressiveImage::writeChannel() {
         seen = render::seenPoints(scene.scene(), camera, {0, 0, pictureSize.x, pictureSize.y},
                                   &request.settings, taken.pixels);
     }
-    const std::vector<std::uint32_t> pixels = channelPixels(row, taken, seen, tone);
-    vulkan::write(device, picture(), 0, std::as_bytes(std::span(pixels)));
+    show(channelPixels(row, taken, seen, tone));
 }
 
 bool ProgressiveImage::isFinished() const { return path->tracer.samples() >= request.endSample; }
@@ -168,8 +221,12 @@ void ProgressiveImage::record(vulkan::Commands& commands) {
         commands.fill(picture(), 0);
         isToClear = false;
     }
-    if (showsDenoised() || showsChannel()) {
+    if (showsDenoised() || showsChannel() || showsFiltered()) {
         unresolved.clear();
+    }
+    if (showsFiltered() && !isFilterShown && !filter->isWorking()) {
+        filter->show(commands, tone);
+        isFilterShown = true;
     }
     for (const render::TileRange& tiles : unresolved) {
         path->resolver.resolve(commands, tiles, pictureSize, tone);

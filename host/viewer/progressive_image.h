@@ -2,6 +2,7 @@
 // A picture that is refined step by step: the path tracer's film, or a view of the algorithm.
 #pragma once
 #include "metamarch/render/device_scene.h"
+#include "metamarch/render/display_filter.h"
 #include "metamarch/render/inspector.h"
 #include "metamarch/render/path_tracer.h"
 #include "metamarch/render/resolver.h"
@@ -44,6 +45,8 @@ class ProgressiveImage {
 
     // Returns true if every pixel shows something.
     bool isWhole() const;
+    // Returns true if it is also fit to be seen: the first filtered picture takes a moment.
+    bool isReady() const { return isWhole() && (!isFiltered() || filteredSamples > 0); }
     // For the path tracer: samples() is the mean number over the pixels, wholeSamples() the number that every
     // pixel has.
     double samples() const;
@@ -55,6 +58,9 @@ class ProgressiveImage {
     // With a denoiser, which must outlive this object, denoise() replaces the path tracer's picture by one
     // without noise.
     void setDenoiser(const Denoiser* usedDenoiser);
+    // Filters the path tracer's first samples for the eye, until the picture is finished or has samples
+    // enough. A channel or a denoiser takes precedence.
+    void setFilter(bool isWanted);
     // The name of a row of shownChannels() that replaces the path tracer's picture; empty: none does.
     void setChannel(const std::string& name);
     // Brings channel or denoised picture up to date, each time that the samples have doubled. Call it between
@@ -97,8 +103,13 @@ class ProgressiveImage {
     bool showsDenoised() const {
         return denoiser != nullptr && channel.empty() && !request.view && !denoised.isEmpty();
     }
+    bool isFiltered() const;
+    bool showsFiltered() const { return isFiltered() && filteredSamples > 0; }
+    bool advanceFilter(double seconds);
+    void dropFiltered();
     bool showsChannel() const { return !channel.empty() && !request.view && channelSamples > 0; }
     void showAgain();
+    void show(const std::vector<std::uint32_t>& pixels);
     void writeDenoised();
     void writeChannel();
 
@@ -109,12 +120,16 @@ class ProgressiveImage {
     const ShaderOverrides& shaders;
     std::optional<Path> path; // created on first use, like the inspector
     std::optional<render::Inspector> inspector;
+    std::optional<render::DisplayFilter> filter; // of `path`
 
     RenderRequest request;
     glm::uvec2 pictureSize{0};
     ToneMapping tone;
     const Denoiser* denoiser = nullptr;
     DenoisedPicture denoised;
+    bool hasFilter = false;
+    std::uint32_t filteredSamples = 0; // of the film whose filtered picture is shown; 0: none is
+    bool isFilterShown = false;        // the picture has it, with these tones
     std::string channel;
     std::uint32_t channelSamples = 0;          // of the film whose channel is shown; 0: the picture is
     bool isToClear = false;                    // the buffer still holds the picture before start()

@@ -60,6 +60,12 @@ void SplitView::setDenoiser(const Denoiser* const denoiser) {
     }
 }
 
+void SplitView::setFilter(const bool isWanted) {
+    for (const auto& viewport : viewports) {
+        viewport->setFilter(isWanted);
+    }
+}
+
 void SplitView::setChannel(const std::string& name) {
     for (const auto& viewport : viewports) {
         viewport->setChannel(name);

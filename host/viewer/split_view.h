@@ -30,6 +30,7 @@ class SplitView {
     void setTone(const ToneMapping& toneMapping);
     // As those of ProgressiveImage, for the fine pictures.
     void setDenoiser(const Denoiser* denoiser);
+    void setFilter(bool isWanted);
     void setChannel(const std::string& name);
     void update();
     bool isDenoising() const;

@@ -462,6 +462,7 @@ class Viewer {
             }
             splitView.setTone(now.tone);
             splitView.setDenoiser(chosenDenoiser());
+            splitView.setFilter(now.hasFilter);
             splitView.setChannel(now.channel);
             if (std::exchange(isStale, false) || areOthers) {
                 splitView.start(makeRenderRequest());

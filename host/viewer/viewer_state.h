@@ -41,6 +41,7 @@ struct Settings {
     ToneMapping tone;
     bool isDenoised = false;
     bool hasPreview = true;    // while the camera moves
+    bool hasFilter = true;     // of the display, while the path tracer has few samples
     std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
     std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;

@@ -21,9 +21,10 @@ constexpr double kLongestPreview = 3.0;
 constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLeastFilmBytes = std::uint64_t{1} << 20; // 9,000 pixels: something to see
 
-// A viewport has two sums of this size, and smaller ones for the coarse and the sharp preview; a split has
-// two viewports. One part of the free memory is left to the driver and to other programs.
-constexpr std::uint64_t kParts = 6;
+// A viewport has two sums of this size, and less than one for the filter, the coarse picture and the sharp
+// preview; a split has two viewports. Two parts of the free memory are left to the driver and to other
+// programs.
+constexpr std::uint64_t kParts = 8;
 
 glm::uvec2 divided(const glm::uvec2 size, const std::uint32_t by) { return (size + by - 1u) / by; }
 
@@ -97,7 +98,7 @@ void Viewport::record(vulkan::Commands& commands, const Screen& screen, const st
     // Tiles of noise between tiles of the preview would be worse than either, but a slow film shows that it
     // comes.
     const bool isFineShown =
-        fine.hasPicture() && (!hasPreview || fine.isWhole() || fine.seconds() > kLongestPreview);
+        fine.hasPicture() && (!hasPreview || fine.isReady() || fine.seconds() > kLongestPreview);
     const ProgressiveImage& lower = isSharp ? sharp : coarse;
     const ProgressiveImage& upper = isFineShown ? fine : hasPreview ? sharp : lower;
     if (first >= end || !lower.hasPicture()) {

@@ -21,6 +21,7 @@ class Viewport {
     void start(const RenderRequest& request, double seconds);
     void setTone(const ToneMapping& toneMapping);
     void setDenoiser(const Denoiser* denoiser) { fine.setDenoiser(denoiser); }
+    void setFilter(bool isWanted) { fine.setFilter(isWanted); }
     void setChannel(const std::string& channel) { fine.setChannel(channel); }
     void update() { fine.update(); }
 

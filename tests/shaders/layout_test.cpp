@@ -4,6 +4,7 @@
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shared/bvh_node.h"
 #include "metamarch/shared/camera.h"
+#include "metamarch/shared/display_filter.h"
 #include "metamarch/shared/film.h"
 #include "metamarch/shared/grid_walk.h"
 #include "metamarch/shared/inspect_view.h"
@@ -205,6 +206,18 @@ const StructLayout kStructs[] = {
      {MEMBER(ResolvePush, firstPlace), MEMBER(ResolvePush, order), MEMBER(ResolvePush, bandPlace),
       MEMBER(ResolvePush, width), MEMBER(ResolvePush, height), MEMBER(ResolvePush, toneOperator),
       MEMBER(ResolvePush, scale)}},
+    {"FilterSurface", sizeof(FilterSurface), {MEMBER(FilterSurface, albedo), MEMBER(FilterSurface, depth)}},
+    {"FilterShape", sizeof(FilterShape), {MEMBER(FilterShape, normal), MEMBER(FilterShape, slope)}},
+    {"FilterLight", sizeof(FilterLight), {MEMBER(FilterLight, light), MEMBER(FilterLight, variance)}},
+    {"FilterBeginPush",
+     sizeof(FilterBeginPush),
+     {MEMBER(FilterBeginPush, firstPlace), MEMBER(FilterBeginPush, order), MEMBER(FilterBeginPush, bandPlace),
+      MEMBER(FilterBeginPush, width), MEMBER(FilterBeginPush, height)}},
+    {"FilterPush",
+     sizeof(FilterPush),
+     {MEMBER(FilterPush, firstRow), MEMBER(FilterPush, width), MEMBER(FilterPush, height),
+      MEMBER(FilterPush, isSingle), MEMBER(FilterPush, distance), MEMBER(FilterPush, tolerance),
+      MEMBER(FilterPush, kept), MEMBER(FilterPush, toneOperator), MEMBER(FilterPush, scale)}},
     {"PresentPush",
      sizeof(PresentPush),
      {MEMBER(PresentPush, width), MEMBER(PresentPush, height), MEMBER(PresentPush, firstColumn),

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Converts rows of filtered pixels to 8 bits per channel, one invocation per pixel.
+#include "lib/filter_rows.glsl"
+#include "shared/packed_pixel.h"
+#include "shared/tone_mapping.h"
+
+layout(std430, binding = kBindFilterTo) readonly buffer AfterBuffer { FilterLight after[]; };
+layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
+
+void main() {
+    const ivec2 pixel = filteredPixel();
+    if (!isInside(pixel)) {
+        return;
+    }
+    const uint i = indexOf(pixel);
+    const vec3 radiance = filteredRadiance(surfaces[i], from[i], after[i], push.kept);
+    picture[i] = packedLinear(toneMapped(push.toneOperator, push.scale, radiance));
+}
