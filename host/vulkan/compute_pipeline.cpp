@@ -4,6 +4,7 @@
 #include "metamarch/error/error.h"
 #include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/compiled_kernel.h"
+#include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>
@@ -61,8 +62,10 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
         bindings.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
     try {
-        handles_->kernel = device.compile({withExactFloats(info.spirv, device.report().floatModes), bindings,
-                                           pushConstantSize_, info.specialization});
+        handles_->kernel =
+            device.compile({withExactFloats(withoutDeadBranches(info.spirv, info.specialization),
+                                            device.report().floatModes),
+                            bindings, pushConstantSize_, info.specialization});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));

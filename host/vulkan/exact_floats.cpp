@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/exact_floats.h"
 
+#include "metamarch/vulkan/spirv_instructions.h"
+
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 namespace metamarch::vulkan {
 namespace {
 
-// The SPIR-V specification 1.5, sections 2.3, 2.4, 3.6, 3.20, 3.31 and 3.36.
-constexpr std::size_t kHeaderWords = 5;
+// The SPIR-V specification 1.5, sections 2.4, 3.6, 3.20, 3.31 and 3.36.
 constexpr uint32_t kOpEntryPoint = 15;
 constexpr uint32_t kOpExecutionMode = 16;
 constexpr uint32_t kOpCapability = 17;
 constexpr uint32_t kOpTypeVoid = 19;
 constexpr uint32_t kOpDecorate = 71;
-constexpr uint32_t kOpcodeMask = 0xffffu;
 constexpr uint32_t kNoContraction = 42;
 constexpr uint32_t kFloatBits = 32;
 
@@ -26,8 +25,6 @@ struct Mode {
 constexpr Mode kSignedZeroInfNanPreserve{4466, 4461};
 constexpr Mode kRoundingModeRte{4467, 4462};
 
-constexpr uint32_t firstWord(const uint32_t opcode, const uint32_t words) { return words << 16u | opcode; }
-
 // Whether it is an arithmetic instruction with a float result: OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv,
 // OpFRem, OpFMod, products of vectors and matrices, and OpDot. Its second operand is the result.
 constexpr bool isFloatArithmetic(const uint32_t opcode) {
@@ -36,24 +33,10 @@ constexpr bool isFloatArithmetic(const uint32_t opcode) {
     return std::ranges::find(kOpcodes, opcode) != kOpcodes.end();
 }
 
-// The instructions of a module, one span of words each. None if the module is damaged.
-std::vector<std::span<const uint32_t>> instructions(const std::span<const uint32_t> spirv) {
-    std::vector<std::span<const uint32_t>> result;
-    for (std::size_t at = kHeaderWords; at < spirv.size();) {
-        const std::size_t count = spirv[at] >> 16u;
-        if (count == 0 || count > spirv.size() - at) {
-            return {};
-        }
-        result.push_back(spirv.subspan(at, count));
-        at += count;
-    }
-    return result;
-}
-
 } // namespace
 
 std::vector<uint32_t> withExactFloats(const std::span<const uint32_t> spirv, const FloatModes& modes) {
-    const std::vector<std::span<const uint32_t>> all = instructions(spirv);
+    const std::vector<SpirvInstruction> all = spirvInstructions(spirv);
     if (all.empty()) {
         return {spirv.begin(), spirv.end()};
     }
@@ -66,24 +49,24 @@ std::vector<uint32_t> withExactFloats(const std::span<const uint32_t> spirv, con
     }
     // Capabilities come first, execution modes right behind the only entry point, and decorations before the
     // first type, which is the void of main.
-    std::vector<uint32_t> words(spirv.begin(), spirv.begin() + kHeaderWords);
+    std::vector<uint32_t> words(spirv.begin(), spirv.begin() + kSpirvHeaderWords);
     for (const Mode& mode : wanted) {
-        words.insert(words.end(), {firstWord(kOpCapability, 2), mode.capability});
+        words.insert(words.end(), {firstSpirvWord(kOpCapability, 2), mode.capability});
     }
-    for (const std::span<const uint32_t> instruction : all) {
-        const uint32_t opcode = instruction[0] & kOpcodeMask;
+    for (const SpirvInstruction instruction : all) {
+        const uint32_t opcode = opcodeOf(instruction);
         if (opcode == kOpTypeVoid) {
-            for (const std::span<const uint32_t> other : all) {
-                if (isFloatArithmetic(other[0] & kOpcodeMask)) {
-                    words.insert(words.end(), {firstWord(kOpDecorate, 3), other[2], kNoContraction});
+            for (const SpirvInstruction other : all) {
+                if (isFloatArithmetic(opcodeOf(other))) {
+                    words.insert(words.end(), {firstSpirvWord(kOpDecorate, 3), other[2], kNoContraction});
                 }
             }
         }
         words.insert(words.end(), instruction.begin(), instruction.end());
         if (opcode == kOpEntryPoint) {
             for (const Mode& mode : wanted) {
-                words.insert(words.end(), {firstWord(kOpExecutionMode, 4), instruction[2], mode.executionMode,
-                                           kFloatBits});
+                words.insert(words.end(), {firstSpirvWord(kOpExecutionMode, 4), instruction[2],
+                                           mode.executionMode, kFloatBits});
             }
         }
     }

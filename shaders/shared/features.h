@@ -45,7 +45,12 @@ const uint kAllFeatures = kFirstFreeFeature - 1u;
 #define SHADING_FEATURES kAllFeatures
 #endif
 
-SHARED_FN bool hasFeature(const uint feature) { return (SHADING_FEATURES & feature) != 0u; }
+// A macro in GLSL: what the constant decides is then a constant for those who read the module.
+#ifdef __cplusplus
+inline bool hasFeature(const uint feature) { return (SHADING_FEATURES & feature) != 0u; }
+#else
+#define hasFeature(feature) ((SHADING_FEATURES & (feature)) != 0u)
+#endif
 
 // Returns whether to compute a part of the model that this material needs or not. The CPU has no
 // specialization and skips what a material lacks. A kernel computes it for all lanes, because llvmpipe

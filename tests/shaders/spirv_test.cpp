@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The SPIR-V that the program holds, judged by the validator of Khronos.
 #include "metamarch/shaders/shader_library.h"
+#include "metamarch/shared/features.h"
+#include "metamarch/shared/shading_layout.h"
+#include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/exact_floats.h"
 #include "shaders/spirv_layout.h"
 
@@ -80,6 +83,51 @@ TEST_P(FloatModesOf, leaveAModuleValid) {
 INSTANTIATE_TEST_SUITE_P(Devices, FloatModesOf,
                          testing::Values(vulkan::FloatModes{false, false}, vulkan::FloatModes{true, false},
                                          vulkan::FloatModes{false, true}, vulkan::FloatModes{true, true}));
+
+// Some sets of features: none, all, each one alone, and all but each one.
+std::vector<std::uint32_t> featureSets() {
+    std::vector<std::uint32_t> sets{0u, kAllFeatures};
+    for (std::uint32_t feature = 1u; feature < kFirstFreeFeature; feature <<= 1u) {
+        sets.insert(sets.end(), {feature, kAllFeatures & ~feature});
+    }
+    return sets;
+}
+
+TEST(DeadBranches, leaveValidModulesForEveryFeature) {
+    for (const Shader& shader : shaders()) {
+        const bool isDefault = shader.kernel == "path" && shader.traversal == "meta_table";
+        for (const std::uint32_t features :
+             isDefault ? featureSets() : std::vector<std::uint32_t>{0u, kAllFeatures}) {
+            EXPECT_EQ(faultsOf(vulkan::withoutDeadBranches(shader.spirv, {{kSpecFeatures, features}})), "")
+                << shader.kernel << ' ' << shader.traversal << ' ' << features;
+        }
+    }
+}
+
+TEST(DeadBranches, leaveOutWhatTheConstantsTurnOff) {
+    for (const Shader& shader : shaders()) {
+        if (shader.kernel != "path") {
+            continue;
+        }
+        const auto operations = [&](const std::uint32_t features) {
+            return readLayout(vulkan::withoutDeadBranches(shader.spirv, {{kSpecFeatures, features}}))
+                .looseFloatOperations;
+        };
+        EXPECT_EQ(operations(kAllFeatures),
+                  readLayout(vulkan::withoutDeadBranches(shader.spirv, {})).looseFloatOperations);
+        EXPECT_LT(operations(0u), operations(kAllFeatures) * 2 / 3);
+        for (const std::uint32_t feature :
+             {kFeatureCoat, kFeatureTextures, kFeatureEnvironment, kFeatureLightTree, kFeatureSheen}) {
+            EXPECT_LT(operations(kAllFeatures & ~feature), operations(kAllFeatures)) << feature;
+        }
+    }
+}
+
+TEST(DeadBranches, changeNothingInADamagedModule) {
+    const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0, 1, 0, 15};
+    EXPECT_EQ(vulkan::withoutDeadBranches(damaged, {}), damaged);
+    EXPECT_EQ(vulkan::withoutDeadBranches({}, {}), std::vector<uint32_t>());
+}
 
 TEST(ExactFloats, changeNothingInADamagedModule) {
     const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0,
