@@ -35,6 +35,21 @@ glm::dvec3 skyIrradiance(const Environment& map) {
     return sum;
 }
 
+// The sky is symmetric around the sun, wherever that stands.
+TEST(Sky, turnsWithTheSun) {
+    const Environment still = skyAt(0.4f).environment;
+    const Environment turned = skyAt(0.4f, static_cast<float>(2.0 * M_PI * 5.0 / kWidth)).environment;
+    for (std::uint32_t y = 0; y < still.height; ++y) {
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            const glm::vec3& before = still.texels[std::size_t{y} * kWidth + x];
+            const glm::vec3& after = turned.texels[std::size_t{y} * kWidth + (x + 5) % kWidth];
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(after[c], before[c], 2e-6f * before[c]) << x << ' ' << y;
+            }
+        }
+    }
+}
+
 TEST(Sky, isFiniteAndNotNegativeUnderEverySun) {
     for (const float elevation : {-1.5707963f, -0.3f, -0.01f, 0.0f, 1e-4f, 0.1f, 0.8f, 1.5707963f}) {
         for (const float haze : {0.0f, 1.0f, 20.0f}) {

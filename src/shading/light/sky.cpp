@@ -241,18 +241,27 @@ Sky makeSky(const SkySettings& settings) {
     map.height = settings.width / 2;
     map.texels.resize(std::size_t{map.width} * map.height);
     const std::uint32_t skyRows = map.height / 2;
+    // With the sun at azimuth 0, as it is by default, the directions of two columns are mirror images.
+    const bool isMirrored = sun.z == 0.0 && map.width % 2 == 0;
     std::vector<dvec3> irradianceOfRow(skyRows, dvec3(0.0));
     tbb::parallel_for(std::uint32_t{0}, skyRows, [&](std::uint32_t y) {
         const double polar = M_PI * (y + 0.5) / map.height;
         const SightLines lines(atmosphere, polar, sun);
         const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * std::sin(polar);
+        std::vector<dvec3> radiances(map.width);
         for (std::uint32_t x = 0; x < map.width; ++x) {
+            if (isMirrored && x >= map.width / 2) {
+                radiances[x] = radiances[map.width - 1 - x];
+                continue;
+            }
             const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
             const dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                                   std::sin(polar) * std::sin(azimuth));
-            const dvec3 radiance = lines.scattered(glm::dot(direction, sun));
-            map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiance);
-            irradianceOfRow[y] += radiance * (texelArea * direction.y);
+            radiances[x] = lines.scattered(glm::dot(direction, sun));
+        }
+        for (std::uint32_t x = 0; x < map.width; ++x) {
+            map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiances[x]);
+            irradianceOfRow[y] += radiances[x] * (texelArea * std::cos(polar));
         }
     });
     dvec3 irradiance = sunlight * std::max(sun.y, 0.0);
