@@ -41,7 +41,7 @@ std::array<PyObject*, 6> errorTypes;
 
 PyObject* makeErrorType(const char* const name, const char* const doc, PyObject* const base,
                         PyObject* const builtin) {
-    const py::tuple bases = builtin == nullptr ? py::make_tuple(py::handle(base))
+    const py::tuple bases = builtin == nullptr ? py::tuple(py::make_tuple(py::handle(base)))
                                                : py::make_tuple(py::handle(base), py::handle(builtin));
     PyObject* const type = PyErr_NewExceptionWithDoc(name, doc, bases.ptr(), nullptr);
     if (type == nullptr) {
