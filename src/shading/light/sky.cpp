@@ -225,8 +225,8 @@ dvec3 SightLines::scattered(const double sunCosine) const {
 Sky makeSky(const SkySettings& settings) {
     const double elevation = settings.sunElevation;
     const double sunAzimuth = settings.sunAzimuth;
-    const double level = std::cos(elevation);
-    const dvec3 sun(level * std::cos(sunAzimuth), std::sin(elevation), level * std::sin(sunAzimuth));
+    const dvec3 sun(std::cos(elevation) * std::cos(sunAzimuth), std::sin(elevation),
+                    std::cos(elevation) * std::sin(sunAzimuth));
     // Where a line of sight leaves the air, the vertical has turned by this angle at most.
     const double turned =
         std::acos(kGroundRadius / kTopRadius) + std::acos(kGroundRadius / (kGroundRadius + kEyeHeight));
@@ -243,25 +243,28 @@ Sky makeSky(const SkySettings& settings) {
     const std::uint32_t skyRows = map.height / 2;
     // With the sun at azimuth 0, as it is by default, the directions of two columns are mirror images.
     const bool isMirrored = sun.z == 0.0 && map.width % 2 == 0;
+    const std::uint32_t columns = isMirrored ? map.width / 2 : map.width;
+    std::vector<glm::dvec2> azimuths(columns); // cosine and sine
+    for (std::uint32_t x = 0; x < columns; ++x) {
+        const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
+        azimuths[x] = {std::cos(azimuth), std::sin(azimuth)};
+    }
     std::vector<dvec3> irradianceOfRow(skyRows, dvec3(0.0));
     tbb::parallel_for(std::uint32_t{0}, skyRows, [&](std::uint32_t y) {
         const double polar = M_PI * (y + 0.5) / map.height;
+        const double level = std::sin(polar);
+        const double height = std::cos(polar);
         const SightLines lines(atmosphere, polar, sun);
-        const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * std::sin(polar);
-        std::vector<dvec3> radiances(map.width);
-        for (std::uint32_t x = 0; x < map.width; ++x) {
-            if (isMirrored && x >= map.width / 2) {
-                radiances[x] = radiances[map.width - 1 - x];
-                continue;
-            }
-            const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
-            const dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
-                                  std::sin(polar) * std::sin(azimuth));
+        const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * level;
+        std::vector<dvec3> radiances(columns);
+        for (std::uint32_t x = 0; x < columns; ++x) {
+            const dvec3 direction(level * azimuths[x].x, height, level * azimuths[x].y);
             radiances[x] = lines.scattered(glm::dot(direction, sun));
         }
         for (std::uint32_t x = 0; x < map.width; ++x) {
-            map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiances[x]);
-            irradianceOfRow[y] += radiances[x] * (texelArea * std::cos(polar));
+            const dvec3& radiance = radiances[x < columns ? x : map.width - 1 - x];
+            map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiance);
+            irradianceOfRow[y] += radiance * (texelArea * height);
         }
     });
     dvec3 irradiance = sunlight * std::max(sun.y, 0.0);
