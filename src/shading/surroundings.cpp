@@ -4,6 +4,8 @@
 #include "metamarch/shading/light/sky.h"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace metamarch {
@@ -14,11 +16,28 @@ bool isLamp(const Material& material) {
     return material.emissiveFactor != glm::vec3(0.0f) && (!isPainted || material.emissiveStrength > 1.0f);
 }
 
-void addSky(const LightChoice& light, Surroundings& surroundings) {
+// Keeps the last sky: the pictures of a batch mostly have the same one, and it takes longer than a thumbnail.
+Sky skyOf(const LightChoice& light) {
+    static std::mutex mutex;
+    static std::optional<std::pair<SkySettings, Sky>> kept;
     SkySettings settings;
     settings.sunElevation = light.sunElevation;
     settings.sunAzimuth = light.sunAzimuth;
+    {
+        const std::scoped_lock lock(mutex);
+        if (kept && kept->first == settings) {
+            return kept->second;
+        }
+    }
+    // Without the lock: a thread that waits for others in there may be given work that wants a sky too.
     Sky sky = makeSky(settings);
+    const std::scoped_lock lock(mutex);
+    kept.emplace(settings, sky);
+    return sky;
+}
+
+void addSky(const LightChoice& light, Surroundings& surroundings) {
+    Sky sky = skyOf(light);
     sky.sun.strength *= light.intensity;
     surroundings.environment = std::move(sky.environment);
     if (sky.sun.strength != glm::vec3(0.0f)) {

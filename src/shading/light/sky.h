@@ -14,6 +14,8 @@ struct SkySettings {
     float haze = 1.0f;                 // amount of aerosols, 1 on a clear day; at least 0
     glm::vec3 groundAlbedo{0.3f};      // of the plain that fills the map below the horizon
     std::uint32_t width = 1024;        // width of the map in texels; its height is half of that
+
+    bool operator==(const SkySettings&) const = default;
 };
 
 // The map holds the sky without the sun. The sun is a disc of 0.53 degrees with all the light that the air
