@@ -158,8 +158,8 @@ class LiveFunction {
         uint32_t label = 0;
         Instructions instructions; // with the label
         bool isLive = false;
-        bool isMerge = false;           // of a live block
-        uint32_t headerOfContinue = 0;  // the live loop that it continues, 0 if none
+        bool isMerge = false;             // of a live block
+        uint32_t headerOfContinue = 0;    // the live loop that it continues, 0 if none
         std::optional<uint32_t> branch{}; // the only target, where a condition is decided
     };
 
