@@ -62,17 +62,23 @@ SHARED_FN uint hashed(const uint x) {
     return b ^ (b >> 16u);
 }
 
-// The matrices that make a pixel's digital shift of both coordinates from the four bits of its place in the
-// block, as columns. Row i makes digit i, and the rows repeat after six. They were found by a search, and
-// hold for every k from 0 to 28: beside the Sobol sequence's matrices for k bits of the index they make a (0,
-// k + 4, 2)-net, and their first two columns alone a (0, k + 2, 2)-net.
-const uvec4 kFirstShift = uvec4(0xb6db6db6u, 0x6db6db6du, 0x3cf3cf3cu, 0xa28a28a2u);
-const uvec4 kSecondShift = uvec4(0x6db6db6du, 0xb6db6db6u, 0x45145145u, 0xa28a28a2u);
+// The matrices that make a pixel's digital shift from the four bits of its place in the block, as columns:
+// bits 11 to 6 are the first digits of the first coordinate, bits 5 to 0 those of the second, and both repeat
+// after six digits. They were found by a search, and hold for every k from 0 to 28: beside the Sobol
+// sequence's matrices for k bits of the index they make a (0, k + 4, 2)-net, and the first two columns alone
+// a (0, k + 2, 2)-net.
+const uvec4 kShiftDigits = uvec4(0xb5bu, 0x6edu, 0x3d1u, 0xa28u);
 
-SHARED_FN uint pixelShift(const uint place, const uvec4 columns) {
-    return ((place & 1u) * columns.x) ^ (((place >> 1u) & 1u) * columns.y) ^
-           (((place >> 2u) & 1u) * columns.z) ^ ((place >> 3u) * columns.w);
+// Returns the first six digits of the shift of both coordinates.
+SHARED_FN uint shiftDigits(const uint place) {
+    return ((0u - (place & 1u)) & kShiftDigits.x) ^ ((0u - ((place >> 1u) & 1u)) & kShiftDigits.y) ^
+           ((0u - ((place >> 2u) & 1u)) & kShiftDigits.z) ^ ((0u - (place >> 3u)) & kShiftDigits.w);
 }
+
+// Returns the six digits again and again.
+SHARED_FN uint repeated(const uint digits) { return digits * 0x04104104u + (digits >> 4u); }
+SHARED_FN uint firstShift(const uint digits) { return repeated(digits >> 6u); }
+SHARED_FN uint secondShift(const uint digits) { return repeated(digits & 63u); }
 
 SHARED_FN PixelSample makePixelSample(const uint x, const uint y, const uint index, const uint seed) {
     const uint place = (x & 1u) | ((y & 1u) << 1u) | ((x & 2u) << 1u) | ((y & 2u) << 2u);
@@ -113,6 +119,12 @@ SHARED_FN uint sobolSecond(const uint first) {
 // Returns a multiple of 2^-24 in [0, 1); rounding to a float cannot reach 1.
 SHARED_FN float unitInterval(const uint bits) { return float(bits >> 8u) * 5.9604644775390625e-8f; }
 
+// Returns the seed of a dimension of the pixel's block. The multiplier is the golden ratio's, which spreads
+// small numbers.
+SHARED_FN uint seedOf(const PixelSample at, const uint dimension) {
+    return hashed(at.seed ^ (dimension * 0x9e3779b9u));
+}
+
 // Returns the product of b, in [0, 3], and one of the three elements of GF(4) other than 0, which a uniform
 // number in [0, 255] chooses. Two bits of the constant are a product, eight are a row of the table.
 SHARED_FN uint timesElement(const uint uniform8, const uint b) {
@@ -139,20 +151,19 @@ SHARED_FN uint pointOf(const PixelSample at, const uint seed) {
 // Returns the random number of `dimension` for one of several things, each of which has its own. For
 // kBounceAlpha, a thing is a triangle, so the order in which triangles are met does not matter.
 SHARED_FN float sampleOf(const PixelSample at, const uint dimension, const uint thing) {
-    const uint seed = hashed(at.seed ^ hashed(dimension + thing * 0x9e3779b9u));
-    const uint shift = pixelShift(shiftedPlace(at.place, seed), kFirstShift);
+    const uint seed = seedOf(at, dimension + thing * 0x85ebca77u);
+    const uint shift = firstShift(shiftDigits(shiftedPlace(at.place, seed)));
     return unitInterval(scrambled(pointOf(at, seed) ^ shift, hashed(seed)));
 }
 
 SHARED_FN float sample1d(const PixelSample at, const uint dimension) { return sampleOf(at, dimension, 0u); }
 
 SHARED_FN vec2 sample2d(const PixelSample at, const uint dimension) {
-    const uint seed = hashed(at.seed ^ hashed(dimension));
+    const uint seed = seedOf(at, dimension);
     const uint first = pointOf(at, seed);
-    const uint place = shiftedPlace(at.place, seed);
-    return vec2(
-        unitInterval(scrambled(first ^ pixelShift(place, kFirstShift), hashed(seed))),
-        unitInterval(scrambled(sobolSecond(first) ^ pixelShift(place, kSecondShift), hashed(seed + 1u))));
+    const uint digits = shiftDigits(shiftedPlace(at.place, seed));
+    return vec2(unitInterval(scrambled(first ^ firstShift(digits), hashed(seed))),
+                unitInterval(scrambled(sobolSecond(first) ^ secondShift(digits), hashed(seed + 1u))));
 }
 
 SHARED_END

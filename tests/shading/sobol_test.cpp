@@ -107,8 +107,8 @@ TEST(Sobol, shiftsMakeANetForEveryNumberOfSamples) {
                 columns.push_back(std::uint64_t{first} << 32u | sobolSecond(first));
             }
             for (uint bit = 0; bit < placeBits; ++bit) {
-                columns.push_back(std::uint64_t{pixelShift(1u << bit, kFirstShift)} << 32u |
-                                  pixelShift(1u << bit, kSecondShift));
+                const uint shift = shiftDigits(1u << bit);
+                columns.push_back(std::uint64_t{firstShift(shift)} << 32u | secondShift(shift));
             }
             const uint digits = k + placeBits;
             for (uint ofFirst = 0; ofFirst <= digits; ++ofFirst) {
@@ -121,6 +121,23 @@ TEST(Sobol, shiftsMakeANetForEveryNumberOfSamples) {
                 ASSERT_EQ(rankOf(truncated), digits) << k << ' ' << placeBits << ' ' << ofFirst;
             }
         }
+    }
+}
+
+// Otherwise products of two dimensions would have the same error in each pixel of a block.
+TEST(Sobol, pixelsTakeThePointsInOrdersOfTheirOwn) {
+    constexpr uint kCount = 64;
+    const uint seed = hashed(7);
+    for (const auto& [a, b] : {std::pair{0u, 1u}, {2u, 3u}, {1u, 13u}}) {
+        uint same = 0;
+        std::set<uint> points;
+        for (uint i = 0; i < kCount; ++i) {
+            const uint point = pointOf(PixelSample(0, a, bitfieldReverse(i)), seed);
+            same += point == pointOf(PixelSample(0, b, bitfieldReverse(i)), seed) ? 1 : 0;
+            points.insert(point >> 26u);
+        }
+        EXPECT_LE(same, kCount / 8);
+        EXPECT_EQ(points.size(), kCount) << "not the first points of the set";
     }
 }
 
