@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/vulkan/compiled_kernel.h"
 
+#include "metamarch/vulkan/dead_branches.h"
+
 #include <algorithm>
 
 namespace metamarch::vulkan {
@@ -35,8 +37,9 @@ CompiledKernel::CompiledKernel(const vk::raii::Device& device, const vk::raii::P
     }
     const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
                                                 values.size() * sizeof(uint32_t), values.data());
-    const vk::raii::ShaderModule module(device,
-                                        {{}, source.spirv.size() * sizeof(uint32_t), source.spirv.data()});
+    const std::vector<uint32_t> spirv =
+        withExactFloats(withoutDeadBranches(source.spirv, source.specialization), source.floatModes);
+    const vk::raii::ShaderModule module(device, {{}, spirv.size() * sizeof(uint32_t), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &specialization);
     pipeline = {device, cache, vk::ComputePipelineCreateInfo({}, stage, *layout)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kernels as the driver has compiled them, without buffers.
 #pragma once
+#include "metamarch/vulkan/exact_floats.h"
 #include "metamarch/vulkan/pipeline_cache.h"
 
 #include <vulkan/vulkan_raii.hpp>
@@ -14,12 +15,13 @@
 
 namespace metamarch::vulkan {
 
-// Everything that the driver compiles a kernel from.
+// Everything that a kernel is compiled from.
 struct KernelSource {
-    std::vector<uint32_t> spirv;
+    std::vector<uint32_t> spirv;                     // as glslang has made it
     std::map<uint32_t, vk::DescriptorType> bindings; // of set 0
     uint32_t pushConstantSize = 0;
     std::map<uint32_t, uint32_t> specialization;
+    FloatModes floatModes{};
 
     bool operator==(const KernelSource&) const = default;
 };

@@ -62,10 +62,11 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
         bindings.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
     try {
-        handles_->kernel =
-            device.compile({withExactFloats(withoutDeadBranches(info.spirv, info.specialization),
-                                            device.report().floatModes),
-                            bindings, pushConstantSize_, info.specialization});
+        handles_->kernel = device.compile({{info.spirv.begin(), info.spirv.end()},
+                                           bindings,
+                                           pushConstantSize_,
+                                           info.specialization,
+                                           device.report().floatModes});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));

@@ -437,7 +437,12 @@ std::vector<std::pair<uint32_t, Instructions>> functionsOf(const Instructions al
     return functions;
 }
 
-bool isName(const uint32_t opcode) {
+// Returns true for decorations that this file does not follow.
+bool decoratesOtherwise(const uint32_t opcode) {
+    return opcode == spv::OpGroupDecorate || opcode == spv::OpDecorateId;
+}
+
+bool isForDebuggers(const uint32_t opcode) {
     return opcode == spv::OpName || opcode == spv::OpMemberName || opcode == spv::OpLine ||
            opcode == spv::OpNoLine;
 }
@@ -447,10 +452,12 @@ bool isName(const uint32_t opcode) {
 std::vector<uint32_t> withoutDeadBranches(const std::span<const uint32_t> spirv,
                                           const std::map<uint32_t, uint32_t>& specialization) {
     std::vector<SpirvInstruction> all = spirvInstructions(spirv);
-    std::erase_if(all, [](const SpirvInstruction instruction) { return isName(opcodeOf(instruction)); });
+    std::erase_if(all,
+                  [](const SpirvInstruction instruction) { return isForDebuggers(opcodeOf(instruction)); });
     const auto functions = functionsOf(all);
     const auto entry = std::ranges::find(all, uint32_t{spv::OpEntryPoint}, opcodeOf);
-    if (functions.empty() || entry == all.end()) {
+    if (functions.empty() || std::ranges::count(all, uint32_t{spv::OpEntryPoint}, opcodeOf) != 1 ||
+        std::ranges::any_of(all, decoratesOtherwise, opcodeOf)) {
         return {spirv.begin(), spirv.end()};
     }
     const Values constants = constantsOf(all, specialization);

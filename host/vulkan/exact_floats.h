@@ -12,6 +12,8 @@ namespace metamarch::vulkan {
 struct FloatModes {
     bool roundsToNearestEven = false;
     bool keepsSignsInfinitiesAndNans = false;
+
+    bool operator==(const FloatModes&) const = default;
 };
 
 // Returns the module with NoContraction at every float operation, so that a driver may neither fuse nor

@@ -45,7 +45,8 @@ const uint kAllFeatures = kFirstFreeFeature - 1u;
 #define SHADING_FEATURES kAllFeatures
 #endif
 
-// A macro in GLSL: what the constant decides is then a constant for those who read the module.
+// In GLSL it is a macro, so that a branch on it is a branch on a specialization constant, which
+// host/vulkan/dead_branches removes.
 #ifdef __cplusplus
 inline bool hasFeature(const uint feature) { return (SHADING_FEATURES & feature) != 0u; }
 #else

@@ -5,12 +5,16 @@
 #include "metamarch/shared/shading_layout.h"
 #include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/exact_floats.h"
+#include "metamarch/vulkan/spirv_instructions.h"
 #include "shaders/spirv_layout.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <span>
 #include <spirv-tools/libspirv.hpp>
+#include <spirv/unified1/spirv.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,6 +125,104 @@ TEST(DeadBranches, leaveOutWhatTheConstantsTurnOff) {
             EXPECT_LT(operations(kAllFeatures & ~feature), operations(kAllFeatures)) << feature;
         }
     }
+}
+
+// Assembles a module whose main has these blocks. %isOn is false where constant 0 is 0, and %isUnknown is not
+// decided.
+std::vector<uint32_t> moduleOf(const std::string& blocks, const std::string& more = "") {
+    const std::string text = R"(
+        OpCapability Shader
+        OpMemoryModel Logical GLSL450
+        OpEntryPoint GLCompute %main "main"
+        )" + more + R"(
+        OpExecutionMode %main LocalSize 1 1 1
+        OpDecorate %on SpecId 0
+        %void = OpTypeVoid
+        %function = OpTypeFunction %void
+        %bool = OpTypeBool
+        %uint = OpTypeInt 32 0
+        %zero = OpConstant %uint 0
+        %one = OpConstant %uint 1
+        %isUnknown = OpUndef %bool
+        %on = OpSpecConstant %uint 1
+        %isOn = OpSpecConstantOp %bool INotEqual %on %zero
+        %main = OpFunction %void None %function
+        )" + blocks + "OpFunctionEnd";
+    std::vector<uint32_t> words;
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_2);
+    if (!tools.Assemble(text, &words)) {
+        throw std::runtime_error("the test's module does not assemble");
+    }
+    return words;
+}
+
+std::size_t countOf(const std::vector<uint32_t>& spirv, const spv::Op opcode) {
+    return static_cast<std::size_t>(
+        std::ranges::count(vulkan::spirvInstructions(spirv), uint32_t{opcode}, vulkan::opcodeOf));
+}
+
+// A loop that constant 0 leaves in its first turn. `phis` are those of its header.
+std::string loopThatIsLeft(const std::string& phis) {
+    return "%entry = OpLabel\n OpBranch %head\n %head = OpLabel\n" + phis + R"(
+        OpLoopMerge %after %again None
+        OpBranch %body
+        %body = OpLabel
+        OpSelectionMerge %rest None
+        OpBranchConditional %isOn %leave %rest
+        %leave = OpLabel
+        OpBranch %after
+        %rest = OpLabel
+        OpBranch %again
+        %again = OpLabel
+        OpBranch %head
+        %after = OpLabel
+        OpReturn
+    )";
+}
+
+TEST(DeadBranches, keepTheContinueBlockOfALoopThatEndsInItsFirstTurn) {
+    const std::vector<uint32_t> spirv = moduleOf(loopThatIsLeft(""));
+    ASSERT_EQ(faultsOf(spirv), "");
+    for (const uint32_t on : {0u, 1u}) {
+        const std::vector<uint32_t> words = vulkan::withoutDeadBranches(spirv, {{0u, on}});
+        EXPECT_EQ(faultsOf(words), "") << on;
+        EXPECT_EQ(countOf(words, spv::OpBranchConditional), 0u);
+        EXPECT_EQ(countOf(words, spv::OpLoopMerge), 1u);
+        EXPECT_EQ(countOf(words, spv::OpLabel), 6u) << on; // without %rest, or without %leave
+    }
+}
+
+TEST(DeadBranches, leaveALoopAloneThatKeepsAValueForItsNextTurn) {
+    const std::vector<uint32_t> spirv =
+        moduleOf(loopThatIsLeft("%turn = OpPhi %uint %zero %entry %one %again\n"));
+    ASSERT_EQ(faultsOf(spirv), "");
+    const std::vector<uint32_t> words = vulkan::withoutDeadBranches(spirv, {{0u, 1u}});
+    EXPECT_EQ(faultsOf(words), "");
+    EXPECT_EQ(countOf(words, spv::OpBranchConditional), 1u);
+}
+
+TEST(DeadBranches, keepTheEndOfASelectionThatNothingReaches) {
+    const std::vector<uint32_t> spirv = moduleOf(R"(
+        %entry = OpLabel
+        OpSelectionMerge %end None
+        OpBranchConditional %isUnknown %left %right
+        %left = OpLabel
+        OpReturn
+        %right = OpLabel
+        OpReturn
+        %end = OpLabel
+        OpReturn
+    )");
+    ASSERT_EQ(faultsOf(spirv), "");
+    const std::vector<uint32_t> words = vulkan::withoutDeadBranches(spirv, {});
+    EXPECT_EQ(faultsOf(words), "");
+    EXPECT_EQ(countOf(words, spv::OpUnreachable), 1u);
+}
+
+TEST(DeadBranches, changeNothingInAModuleOfSeveralEntryPoints) {
+    const std::vector<uint32_t> spirv =
+        moduleOf(loopThatIsLeft(""), "OpEntryPoint GLCompute %main \"other\"\n");
+    EXPECT_EQ(vulkan::withoutDeadBranches(spirv, {{0u, 1u}}), spirv);
 }
 
 TEST(DeadBranches, changeNothingInADamagedModule) {

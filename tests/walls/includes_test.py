@@ -21,6 +21,7 @@ OTHERS = [
     ("imgui.h", "PkgConfig::imgui", ["viewer"]),
     ("meshoptimizer.h", "meshoptimizer::meshoptimizer", ["scene"]),
     ("nlohmann/", "nlohmann_json::nlohmann_json", None),
+    ("spirv/", "SPIRV-Headers::SPIRV-Headers", ["vulkan"]),
     ("tbb/", "TBB::tbb", None),
     ("tiny_gltf.h", "TinyGLTF::TinyGLTF", ["scene"]),
     ("vulkan/", "Vulkan::Vulkan", ["vulkan", "render", "bench", "viewer", "cli"]),
