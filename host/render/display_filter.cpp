@@ -39,8 +39,8 @@ vulkan::Buffer pixelBuffer(const vulkan::Device& device, const std::uint32_t pix
 
 // From 1 for a single sample down to 0 for kEnough.
 float strengthAt(const std::uint32_t samples) {
-    return 1.0f -
-           std::log2(static_cast<float>(samples)) / std::log2(static_cast<float>(DisplayFilter::kEnough));
+    return static_cast<float>(1.0 - std::log2(static_cast<double>(samples)) /
+                                        std::log2(static_cast<double>(DisplayFilter::kEnough)));
 }
 
 } // namespace

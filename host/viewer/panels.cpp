@@ -164,7 +164,7 @@ void drawRenderer(ViewerState& state) {
     ImGui::Checkbox("preview before the picture", &settings.hasPreview);
     ImGui::Checkbox("filter the first samples", &settings.hasFilter);
     if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", "What is saved is never filtered.");
+        ImGui::SetTooltip("%s", "The film is never filtered, nor is what P and Ctrl+S save.");
     }
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);

@@ -79,8 +79,8 @@ bool ProgressiveImage::advance(const double seconds) {
 }
 
 bool ProgressiveImage::isFiltered() const {
-    return hasFilter && denoiser == nullptr && channel.empty() && !request.view && wholeSamples() > 0 &&
-           wholeSamples() < render::DisplayFilter::kEnough && !isFinished() &&
+    return hasFilter && hasRoomForFilter && denoiser == nullptr && channel.empty() && !request.view &&
+           wholeSamples() > 0 && wholeSamples() < render::DisplayFilter::kEnough && !isFinished() &&
            render::DisplayFilter::fits(device, std::uint64_t{most.x} * most.y);
 }
 
@@ -88,7 +88,15 @@ bool ProgressiveImage::isFiltered() const {
 // nothing to do.
 bool ProgressiveImage::advanceFilter(const double seconds) {
     if (!filter) {
-        filter.emplace(device, path->tracer, path->resolver.picture(), most.x * most.y);
+        try {
+            filter.emplace(device, path->tracer, path->resolver.picture(), most.x * most.y);
+        } catch (const Error& error) {
+            if (error.kind != ErrorKind::outOfMemory) {
+                throw;
+            }
+            hasRoomForFilter = false;
+            return false;
+        }
     }
     if (!filter->isWorking()) {
         if (wholeSamples() < std::max(2 * filteredSamples, 1u)) {
@@ -146,6 +154,7 @@ void ProgressiveImage::setChannel(const std::string& name) {
     if (channel != name) {
         channel = name;
         channelSamples = 0;
+        dropFiltered();
         showAgain();
     }
 }
@@ -172,6 +181,7 @@ void ProgressiveImage::setDenoiser(const Denoiser* const usedDenoiser) {
     }
     denoiser = usedDenoiser;
     denoised.clear();
+    dropFiltered();
     showAgain();
 }
 

@@ -51,7 +51,7 @@ class ProgressiveImage {
     // pixel has.
     double samples() const;
     std::uint32_t wholeSamples() const { return path ? path->tracer.samples() : 0; }
-    // The time that the device has spent since start().
+    // The time that the path tracer or the view has spent on the device since start().
     double seconds() const;
 
     void setTone(const ToneMapping& toneMapping);
@@ -59,7 +59,7 @@ class ProgressiveImage {
     // without noise.
     void setDenoiser(const Denoiser* usedDenoiser);
     // Filters the path tracer's first samples for the eye, until the picture is finished or has samples
-    // enough. A channel or a denoiser takes precedence.
+    // enough. A channel or a denoiser takes precedence. Without memory for it, the picture stays as it is.
     void setFilter(bool isWanted);
     // The name of a row of shownChannels() that replaces the path tracer's picture; empty: none does.
     void setChannel(const std::string& name);
@@ -128,6 +128,7 @@ class ProgressiveImage {
     const Denoiser* denoiser = nullptr;
     DenoisedPicture denoised;
     bool hasFilter = false;
+    bool hasRoomForFilter = true;      // in the device's memory
     std::uint32_t filteredSamples = 0; // of the film whose filtered picture is shown; 0: none is
     bool isFilterShown = false;        // the picture has it, with these tones
     std::string channel;

@@ -17,8 +17,6 @@ constexpr std::uint32_t kFirstCoarseness = 8; // until the device's speed is kno
 // Device time of the film's first sample, after which its tiles are shown over the preview one by one.
 constexpr double kLongestPreview = 3.0;
 
-// Bounds the film, whose pixels are large.
-constexpr std::uint64_t kMostFilmBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLeastFilmBytes = std::uint64_t{1} << 20; // 9,000 pixels: something to see
 
 // A viewport has two sums of this size, and less than one for the filter, the coarse picture and the sharp
@@ -30,8 +28,7 @@ glm::uvec2 divided(const glm::uvec2 size, const std::uint32_t by) { return (size
 
 // Returns the window's size, or, if the film would be too large, that size divided by a whole number.
 glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
-    const std::uint64_t free = std::max(device.freeMemory() / kParts, kLeastFilmBytes);
-    const std::uint64_t most = std::min(kMostFilmBytes, free);
+    const std::uint64_t most = std::max(device.freeMemory() / kParts, kLeastFilmBytes);
     std::uint32_t by = 1;
     glm::uvec2 size = window;
     const auto bytes = [](const glm::uvec2 s) {

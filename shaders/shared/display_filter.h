@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filter of a window's picture that has few samples yet. It is for the eye alone: films and files are
-// never filtered.
+// The filter of a window's picture that has few samples yet. It is for the eye alone: no film is
+// filtered.
 //
 // Light is averaged over neighbours that show the same surface, in passes with twice the distance each
 // (à-trous wavelets: H. Dammertz, D. Sewtz, J. Hanika, H. Lensch, "Edge-Avoiding À-Trous Wavelet Transform

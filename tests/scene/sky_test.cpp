@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sky for scenes without light: plausible values, and no NaN.
 #include "metamarch/shading/light/sky.h"
+#include "metamarch/shading/surroundings.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,12 @@ constexpr std::uint32_t kWidth = 64;
 
 Sky skyAt(float elevation, float azimuth = 0.0f, float haze = 1.0f) {
     return makeSky({.sunElevation = elevation, .sunAzimuth = azimuth, .haze = haze, .width = kWidth});
+}
+
+Sky skyAtFullWidth(float elevation) {
+    SkySettings settings;
+    settings.sunElevation = elevation;
+    return makeSky(settings);
 }
 
 // Returns the irradiance of a surface that faces the sun.
@@ -128,6 +135,26 @@ TEST(Sky, hasNoSunBelowTheHorizonAndDarkensAfterIt) {
     EXPECT_GT(skyIrradiance(set.environment).g, 0.0);
     EXPECT_LT(skyIrradiance(set.environment).g, 0.1 * skyIrradiance(skyAt(0.05f).environment).g);
     EXPECT_LT(skyIrradiance(skyAt(-1.0f).environment).g, 1e-6);
+}
+
+// The process keeps the last sky.
+TEST(Sky, isThatOfItsSunEachTime) {
+    const auto surroundingsOf = [](const float elevation, const float azimuth, const float intensity) {
+        LightChoice light;
+        light.kind = LightChoice::Kind::sky;
+        light.intensity = intensity;
+        light.sunElevation = elevation;
+        light.sunAzimuth = azimuth;
+        return makeSurroundings({}, "scene", light);
+    };
+    const Surroundings first = surroundingsOf(0.5f, 0.0f, 1.0f);
+    EXPECT_EQ(first.environment->texels, skyAtFullWidth(0.5f).environment.texels);
+    const Surroundings brighter = surroundingsOf(0.5f, 0.0f, 4.0f);
+    EXPECT_EQ(brighter.environment->texels, first.environment->texels);
+    EXPECT_EQ(brighter.sun->strength, 4.0f * first.sun->strength);
+    EXPECT_EQ(surroundingsOf(0.5f, 0.0f, 1.0f).sun->strength, first.sun->strength);
+    EXPECT_NE(surroundingsOf(0.5f, 1.0f, 1.0f).environment->texels, first.environment->texels);
+    EXPECT_NE(surroundingsOf(0.6f, 0.0f, 1.0f).environment->texels, first.environment->texels);
 }
 
 TEST(Sky, lightsItsGroundAsALambertian) {

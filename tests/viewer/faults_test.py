@@ -33,7 +33,7 @@ class FaultsTest(ViewerTest):
         self.quit(viewer)
 
     def test_a_film_that_fits_into_little_memory(self):
-        """A sixth of the memory holds half of the window's width and height. The film is shown enlarged."""
+        """The film of 1 MiB that little memory leaves holds half of the window's width and height. It is shown enlarged."""
         width, height, pixels = self.render(CORNELL, "--spp", "4", size="80x60")
         rows = [b"".join(pixels[at:at + 3] * 2 for at in range(3 * width * y, 3 * width * (y + 1), 3)) for y in range(height)]
         viewer = self.open(CORNELL, "--spp", "4", environment=faults("deviceHeap=8388608"))
