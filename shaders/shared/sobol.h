@@ -119,12 +119,6 @@ SHARED_FN uint sobolSecond(const uint first) {
 // Returns a multiple of 2^-24 in [0, 1); rounding to a float cannot reach 1.
 SHARED_FN float unitInterval(const uint bits) { return float(bits >> 8u) * 5.9604644775390625e-8f; }
 
-// Returns the seed of a dimension of the pixel's block. The multiplier is the golden ratio's, which spreads
-// small numbers.
-SHARED_FN uint seedOf(const PixelSample at, const uint dimension) {
-    return hashed(at.seed ^ (dimension * 0x9e3779b9u));
-}
-
 // Returns the product of b, in [0, 3], and one of the three elements of GF(4) other than 0, which a uniform
 // number in [0, 255] chooses. Two bits of the constant are a product, eight are a row of the table.
 SHARED_FN uint timesElement(const uint uniform8, const uint b) {
@@ -151,7 +145,7 @@ SHARED_FN uint pointOf(const PixelSample at, const uint seed) {
 // Returns the random number of `dimension` for one of several things, each of which has its own. For
 // kBounceAlpha, a thing is a triangle, so the order in which triangles are met does not matter.
 SHARED_FN float sampleOf(const PixelSample at, const uint dimension, const uint thing) {
-    const uint seed = seedOf(at, dimension + thing * 0x85ebca77u);
+    const uint seed = hashed(at.seed ^ hashed(dimension + thing * 0x9e3779b9u));
     const uint shift = firstShift(shiftDigits(shiftedPlace(at.place, seed)));
     return unitInterval(scrambled(pointOf(at, seed) ^ shift, hashed(seed)));
 }
@@ -159,7 +153,7 @@ SHARED_FN float sampleOf(const PixelSample at, const uint dimension, const uint 
 SHARED_FN float sample1d(const PixelSample at, const uint dimension) { return sampleOf(at, dimension, 0u); }
 
 SHARED_FN vec2 sample2d(const PixelSample at, const uint dimension) {
-    const uint seed = seedOf(at, dimension);
+    const uint seed = hashed(at.seed ^ hashed(dimension));
     const uint first = pointOf(at, seed);
     const uint digits = shiftDigits(shiftedPlace(at.place, seed));
     return vec2(unitInterval(scrambled(first ^ firstShift(digits), hashed(seed))),

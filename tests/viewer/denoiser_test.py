@@ -53,7 +53,9 @@ class DenoiserTest(ViewerTest):
     def test_says_what_is_missing(self):
         viewer = self.open(CORNELL, "--spp", "3", size=SIZE, panels=True)
         viewer.wait_for_samples()
+        before = len(viewer.stdout())
         self.toggle(viewer)
+        viewer.read = before  # toggle() reads on
         viewer.wait_for_line(r".*Open Image Denoise.*tools/setup --denoise.*")
         viewer.key("Tab")
         self.assert_shows(viewer, self.render(CORNELL, "--spp", "3", size=SIZE))
