@@ -272,7 +272,8 @@ int differenceTo(const std::vector<std::uint32_t>& picture, const vec3 radiance,
     int largest = 0;
     for (int y = 8; y < kHeight - 8; ++y) {
         for (int x = left; x < right; ++x) {
-            const std::uint32_t pixel = picture[static_cast<std::size_t>(y * kWidth + x)];
+            const std::uint32_t pixel =
+                picture[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)];
             largest = std::max(largest, std::abs(static_cast<int>(pixel & 255u) - expected));
         }
     }

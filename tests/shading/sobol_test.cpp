@@ -147,6 +147,7 @@ TEST(Sobol, pixelsTakeThePointsInOrdersOfTheirOwn) {
 // Two pixels of a block take every two different places of shifts equally often.
 TEST(Sobol, shiftsOfTwoDimensionsAreNotCorrelated) {
     constexpr uint kSeeds = 24000;
+    constexpr double kExpected = kSeeds / 12.0;
     for (const auto& [a, b] : {std::pair{0u, 1u}, {2u, 3u}, {12u, 15u}}) { // of one quarter
         std::map<std::pair<uint, uint>, int> times;
         for (uint i = 0; i < kSeeds; ++i) {
@@ -155,7 +156,7 @@ TEST(Sobol, shiftsOfTwoDimensionsAreNotCorrelated) {
         }
         ASSERT_EQ(times.size(), 12u);
         for (const auto& [places, count] : times) {
-            EXPECT_NEAR(count, kSeeds / 12, 6.0 * std::sqrt(kSeeds / 12)) << places.first << places.second;
+            EXPECT_NEAR(count, kExpected, 6.0 * std::sqrt(kExpected)) << places.first << places.second;
         }
     }
     for (uint i = 0; i < 1000; ++i) {
