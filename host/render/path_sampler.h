@@ -81,8 +81,9 @@ class CpuPathSampler : public PathSampler {
     std::vector<std::uint8_t> active_; // none: all pixels are
 };
 
-// The film stays on the device. One that is too large for a buffer or for the device's memory, or of which
-// not all pixels take samples, is in the host's memory, and each pass takes it to the device in bands.
+// The film stays on the device. One of more than `mostTiles` tiles, one that is too large for the device's
+// memory, or one of which not all pixels take samples, is in the host's memory, and each pass takes it to the
+// device in bands.
 class DevicePathSampler : public PathSampler {
   public:
     // The film has bands of fewer tiles than `mostTiles` where the device's memory is short. Throws what the

@@ -4,7 +4,6 @@
 #include "metamarch/error/error.h"
 #include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/compiled_kernel.h"
-#include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/refusal.h"
 
 #include <fmt/format.h>

@@ -97,7 +97,7 @@ void main() {
     // A sample that the driver ends early is taken again, and counts once.
     PathSample taken = startSample(camera, settings, pixel.x, pixel.y, push.firstSample + sum.samples);
     bool isOn = sum.samples < push.samples;
-    // Of this sample.
+    // Counts of the sample that is being taken, and of the turns of this invocation.
     uint steps = 0u;
     uint tests = 0u;
     uint turns = 0u;
