@@ -36,10 +36,10 @@ vulkan::ComputePipeline Inspector::makePipeline(const ViewReads reads) const {
     if (reads == ViewReads::cells) {
         return bound(scene.makePipeline(device, "cells", "", own));
     }
-    shading.addTo(own);
+    shading.addTo(own, kCameraFeatures);
     own.specialization[kSpecParameters] = reads == ViewReads::parameters ? 1 : 0;
     if (reads == ViewReads::hits) {
-        own.specialization[kSpecFeatures] = 0;
+        own.specialization[kSpecFeatures] = kCameraFeatures;
     }
     vulkan::ComputePipeline pipeline = scene.makePipeline(device, "inspect", traversal, own);
     shading.bindTo(pipeline);

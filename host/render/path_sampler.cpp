@@ -97,7 +97,7 @@ DevicePathSampler::DevicePathSampler(const vulkan::Device& device, const SceneBu
           tilesAtOnce(tiles_, mostTiles, device.freeMemory(), DeviceFilm::bytesOfTile(work.request.parts))) {
     while (!tracer_) {
         try {
-            tracer_ = std::make_unique<PathTracer>(device, scene, shading, traversal, mostTiles_,
+            tracer_ = std::make_unique<PathTracer>(device, scene, shading, traversal, work.camera, mostTiles_,
                                                    work.request.parts);
         } catch (const Error& error) {
             // What is free is an estimate: other programs take memory too.

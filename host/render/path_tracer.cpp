@@ -3,6 +3,7 @@
 
 #include "metamarch/render/cut_short.h"
 #include "metamarch/render/kernel.h"
+#include "metamarch/shared/features.h"
 #include "metamarch/shared/tile_order.h"
 #include "metamarch/shared/triangle.h"
 #include "metamarch/vulkan/transfer.h"
@@ -21,27 +22,15 @@ double valueOf(const Count count) { return count.low + 0x1p32 * count.high; }
 
 bool has(const std::uint32_t parts, const std::uint32_t part) { return (parts & part) != 0; }
 
-vulkan::ComputePipeline makePipeline(const vulkan::Device& device, const SceneBuffers& scene,
-                                     const ShadingBuffers& shading, const std::string& traversal,
-                                     const std::uint32_t parts, const std::span<const std::uint32_t> spirv) {
-    vulkan::KernelInfo own{
-        .spirv = spirv,
-        .storageBindings = {kBindInput, kBindOutput, kBindPathStatus, kBindTotal, kBindLight, kBindHits},
-        .pushConstantSize = sizeof(PathPush),
-        .specialization = {{kSpecFilm, parts}}};
-    shading.addTo(own);
-    return scene.makePipeline(device, "path", traversal, own);
-}
-
 } // namespace
 
-PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
-                       const ShadingBuffers& shading, const std::string& usedTraversal,
-                       const std::uint32_t mostTiles, const std::uint32_t usedParts,
-                       const std::span<const std::uint32_t> spirv, const std::uint32_t firstTurns,
-                       const std::uint32_t mostTilesOfBand)
-    : device(usedDevice), traversal(usedTraversal), parts(usedParts),
-      pipeline(makePipeline(usedDevice, scene, shading, usedTraversal, usedParts, spirv)),
+PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& usedScene,
+                       const ShadingBuffers& usedShading, const std::string& usedTraversal,
+                       const Camera& firstCamera, const std::uint32_t mostTiles,
+                       const std::uint32_t usedParts, const std::span<const std::uint32_t> usedSpirv,
+                       const std::uint32_t firstTurns, const std::uint32_t mostTilesOfBand)
+    : device(usedDevice), scene(usedScene), shading(usedShading), traversal(usedTraversal), parts(usedParts),
+      spirv(usedSpirv),
       addBlock(makeKernel(usedDevice, "add_block",
                           {.storageBindings = {kBindOutput, kBindTotal, kBindLight, kBindTotalLight},
                            .pushConstantSize = sizeof(AddBlockPush),
@@ -51,21 +40,37 @@ PathTracer::PathTracer(const vulkan::Device& usedDevice, const SceneBuffers& sce
       status(usedDevice, vulkan::BufferUse::storage, sizeof(PathStatus), "status"),
       statusReadback(usedDevice, vulkan::BufferUse::readback, sizeof(PathStatus), "status read back"),
       submission(usedDevice), work(mostTiles * kBlockSamples), turns(firstTurns) {
-    shading.bindTo(pipeline);
-    pipeline.bind(kBindInput, inputBuffer);
-    pipeline.bind(kBindPathStatus, status);
-    bindBand(0);
+    preparePipeline(cameraFeatures(firstCamera));
+}
+
+// Makes the pipeline for cameras with these features, unless it is the one for them.
+void PathTracer::preparePipeline(const std::uint32_t wantedFeatures) {
+    if (pipeline && pipelineFeatures == wantedFeatures) {
+        return;
+    }
+    vulkan::KernelInfo own{
+        .spirv = spirv,
+        .storageBindings = {kBindInput, kBindOutput, kBindPathStatus, kBindTotal, kBindLight, kBindHits},
+        .pushConstantSize = sizeof(PathPush),
+        .specialization = {{kSpecFilm, parts}}};
+    shading.addTo(own, wantedFeatures);
+    pipeline.emplace(scene.makePipeline(device, "path", traversal, own));
+    pipelineFeatures = wantedFeatures;
+    shading.bindTo(*pipeline);
+    pipeline->bind(kBindInput, inputBuffer);
+    pipeline->bind(kBindPathStatus, status);
+    bindBand(boundBand);
 }
 
 // No submission may be running.
 void PathTracer::bindBand(const std::size_t band) {
     const DeviceFilm::Band& film = deviceFilm.bands()[band];
-    for (vulkan::ComputePipeline* const both : {&pipeline, &addBlock}) {
+    for (vulkan::ComputePipeline* const both : {&*pipeline, &addBlock}) {
         both->bind(kBindOutput, film.block);
         both->bind(kBindTotal, film.total);
         both->bind(kBindLight, film.blockLight);
     }
-    pipeline.bind(kBindHits, film.hits);
+    pipeline->bind(kBindHits, film.hits);
     addBlock.bind(kBindTotalLight, film.totalLight);
     boundBand = band;
 }
@@ -76,6 +81,7 @@ void PathTracer::start(const Camera& camera, const PathSettings& settings, const
 
 void PathTracer::start(const Camera& camera, const PathSettings& settings, const PixelRect& wantedArea,
                        const TileRange wanted, const std::uint32_t firstSample) {
+    preparePipeline(cameraFeatures(camera));
     area = wantedArea;
     input = {camera, settings, area.left, area.top, area.width(), area.height()};
     vulkan::write(device, inputBuffer, 0, std::as_bytes(std::span(&input, 1)));
@@ -169,7 +175,7 @@ PathTracer::Outcome PathTracer::dispatch(const TileRange part, const std::uint32
         if (isFresh && blockFirst > filmFirst) {
             commands.dispatch(addBlock, {part.count(), 1, 1}, AddBlockPush{part.first - bandPlace});
         }
-        commands.dispatch(pipeline, {part.count(), 1, 1},
+        commands.dispatch(*pipeline, {part.count(), 1, 1},
                           PathPush{part.first, order, blockFirst, endSample - blockFirst, bandPlace,
                                    isFresh ? 1u : 0u, turns});
         commands.copy(status, 0, statusReadback, 0, sizeof(PathStatus));

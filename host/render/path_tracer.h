@@ -13,6 +13,7 @@
 #include "metamarch/vulkan/submission.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,15 +36,17 @@ class PathTracer {
     // The most surfaces of an invocation in one dispatch: enough for 16 samples of 64 surfaces.
     static constexpr std::uint32_t kFirstTurns = 1024;
 
-    // Allocates a film of `mostTiles` tiles on the device, with the parts kFilm… that `parts` names. A
-    // `spirv` that is not empty replaces the embedded kernel. Throws Error(outOfMemory) if the film does not
-    // fit.
+    // Compiles the kernel for cameras with the features of `firstCamera`, and allocates a film of `mostTiles`
+    // tiles on the device, with the parts kFilm… that `parts` names. A `spirv` that is not empty replaces the
+    // embedded kernel. All that is referred to must outlive the tracer. Throws Error(outOfMemory) if the film
+    // does not fit, and what SceneBuffers::makePipeline throws.
     PathTracer(const vulkan::Device& device, const SceneBuffers& scene, const ShadingBuffers& shading,
-               const std::string& traversal, std::uint32_t mostTiles, std::uint32_t parts = 0,
-               std::span<const std::uint32_t> spirv = {}, std::uint32_t firstTurns = kFirstTurns,
-               std::uint32_t mostTilesOfBand = DeviceFilm::kAllTiles);
+               const std::string& traversal, const Camera& firstCamera, std::uint32_t mostTiles,
+               std::uint32_t parts = 0, std::span<const std::uint32_t> spirv = {},
+               std::uint32_t firstTurns = kFirstTurns, std::uint32_t mostTilesOfBand = DeviceFilm::kAllTiles);
 
-    // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them.
+    // Begins a film without samples. It covers `tiles` of the camera's picture, at most mostTiles of them. A
+    // camera with other features than the one before needs another kernel.
     void start(const Camera& camera, const PathSettings& settings, TileRange tiles);
 
     // The same for the tiles of an area of the picture, and for samples from number firstSample on: the first
@@ -104,15 +107,20 @@ class PathTracer {
         stuck,       // some of the former gained none
     };
     Outcome dispatch(TileRange part, std::uint32_t firstSample, std::uint32_t endSample);
+    void preparePipeline(std::uint32_t wantedFeatures);
     void bindBand(std::size_t band);
     TileSums readSums() const;
     std::size_t indexInArea(std::uint32_t i) const;
     std::uint32_t placeOfTile(std::uint32_t row, std::uint32_t column) const;
 
     const vulkan::Device& device;
+    const SceneBuffers& scene;
+    const ShadingBuffers& shading;
     std::string traversal;
     std::uint32_t parts;
-    vulkan::ComputePipeline pipeline;
+    std::span<const std::uint32_t> spirv;
+    std::optional<vulkan::ComputePipeline> pipeline;
+    std::uint32_t pipelineFeatures = 0; // of the cameras that it is for
     vulkan::ComputePipeline addBlock;
     vulkan::Buffer inputBuffer;
     DeviceFilm deviceFilm;

@@ -44,12 +44,12 @@ ShadingBuffers::ShadingBuffers(const vulkan::Device& device, const ShadingScene&
     }
 }
 
-void ShadingBuffers::addTo(vulkan::KernelInfo& kernel) const {
+void ShadingBuffers::addTo(vulkan::KernelInfo& kernel, const std::uint32_t ofCamera) const {
     for (const auto& [binding, buffer] : buffers) {
         kernel.texelBindings.emplace(binding,
                                      isTexels(binding) ? VK_FORMAT_R32_UINT : VK_FORMAT_R32G32B32A32_UINT);
     }
-    kernel.specialization[kSpecFeatures] = features;
+    kernel.specialization[kSpecFeatures] = features | ofCamera;
 }
 
 void ShadingBuffers::bindTo(vulkan::ComputePipeline& pipeline) const {

@@ -16,8 +16,9 @@ class ShadingBuffers {
     // Throws Error(outOfMemory) if the data does not fit the device.
     ShadingBuffers(const vulkan::Device& device, const ShadingScene& scene);
 
-    // Adds the bindings that lib/shading.glsl declares, and the features as a specialization constant.
-    void addTo(vulkan::KernelInfo& kernel) const;
+    // Adds the bindings that lib/shading.glsl declares, and as a specialization constant the features of the
+    // scene and `ofCamera`, a part of kCameraFeatures.
+    void addTo(vulkan::KernelInfo& kernel, std::uint32_t ofCamera) const;
     void bindTo(vulkan::ComputePipeline& pipeline) const;
 
     std::uint64_t bytes() const; // on the device

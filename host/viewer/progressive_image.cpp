@@ -60,7 +60,9 @@ bool ProgressiveImage::advance(const double seconds) {
     }
     if (!path) {
         const std::uint32_t tiles = render::Tiling(PixelRect{0, 0, most.x, most.y}).count;
-        path.emplace(device, scene, traversal, tiles, most.x * most.y, shaders.find("path", traversal));
+        const Camera camera = makeCamera(request.camera, pictureSize.x, pictureSize.y, request.lens);
+        path.emplace(device, scene, traversal, camera, tiles, most.x * most.y,
+                     shaders.find("path", traversal));
         startPath();
     }
     if (isFinished()) {

@@ -89,8 +89,9 @@ class ProgressiveImage {
   private:
     struct Path {
         Path(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
-             std::uint32_t tiles, std::uint32_t pixels, std::span<const std::uint32_t> spirv)
-            : tracer(device, scene.buffers(), scene.shading(), traversal, tiles, 0, spirv),
+             const Camera& camera, std::uint32_t tiles, std::uint32_t pixels,
+             std::span<const std::uint32_t> spirv)
+            : tracer(device, scene.buffers(), scene.shading(), traversal, camera, tiles, 0, spirv),
               resolver(device, tracer, pixels) {}
 
         render::PathTracer tracer;

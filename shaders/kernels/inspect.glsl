@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Traces the ray through a pixel's centre, one invocation per pixel, and shows its closest hit in one view.
-#include "lib/picture.glsl"
 #include "lib/shading.glsl"
+// Comes after shading.glsl, which defines the features that its camera asks for.
+#include "lib/picture.glsl"
 #include "shared/inspect.h"
 
 layout(constant_id = kSpecParameters) const uint hasParameters = 0u;

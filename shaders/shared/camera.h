@@ -3,6 +3,7 @@
 #ifndef METAMARCH_SHARED_CAMERA_H
 #define METAMARCH_SHARED_CAMERA_H
 #include "environment_map.h"
+#include "features.h"
 #include "math.h"
 
 SHARED_BEGIN
@@ -47,6 +48,20 @@ struct CameraRay {
     vec3 dir; // unit length
 };
 
+SHARED_FN bool hasLens(const Camera camera) {
+    return hasFeature(kFeatureLens) && dotProduct(camera.lensRight, camera.lensRight) > 0.0f;
+}
+
+SHARED_FN bool isPanorama(const Camera camera) {
+    return hasFeature(kFeaturePanorama) && camera.projection == kProjectionPanorama;
+}
+
+// Returns the features that a kernel needs for this camera.
+SHARED_FN uint cameraFeatures(const Camera camera) {
+    return (hasLens(camera) ? kFeatureLens : 0u) | (isPanorama(camera) ? kFeaturePanorama : 0u) |
+           (camera.pixelFilter != kFilterBox ? kFeatureWideFilter : 0u);
+}
+
 // Returns the pinhole ray of a linear camera through the centre of pixel (x, y); (0, 0) is top left.
 SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {
     const float right = (float(x) + 0.5f) / float(camera.width) * 2.0f - 1.0f;
@@ -60,7 +75,7 @@ SHARED_FN CameraRay cameraRay(const Camera camera, const uint x, const uint y) {
 // lens, in lens radii. Points outside the picture are allowed.
 SHARED_FN CameraRay cameraRayThrough(const Camera camera, const vec2 place, const vec2 lens) {
     const vec2 part = vec2(place.x / float(camera.width), place.y / float(camera.height));
-    if (camera.projection == kProjectionPanorama) {
+    if (isPanorama(camera)) {
         const vec3 around = mapDirection(part);
         const vec3 dir = camera.forward * around.x - camera.dirDown * around.y + camera.dirRight * around.z;
         return CameraRay(camera.eye, unitVector(dir));
@@ -69,6 +84,9 @@ SHARED_FN CameraRay cameraRayThrough(const Camera camera, const vec2 place, cons
     const float down = part.y * 2.0f - 1.0f;
     const vec3 origin = camera.eye + camera.eyeRight * right + camera.eyeDown * down;
     const vec3 dir = camera.forward + camera.dirRight * right + camera.dirDown * down;
+    if (!hasLens(camera)) {
+        return CameraRay(origin, unitVector(dir));
+    }
     // All points of the lens see the same point of the plane in focus.
     const vec3 onLens = camera.lensRight * lens.x + camera.lensDown * lens.y;
     return CameraRay(origin + onLens, unitVector(dir - onLens * camera.inverseFocus));
@@ -117,10 +135,10 @@ SHARED_FN float sampleTent(const float u) {
 
 // Returns an offset from the pixel's centre, in pixels.
 SHARED_FN vec2 sampleFilter(const uint pixelFilter, const vec2 u) {
-    if (pixelFilter == kFilterBlackmanHarris) {
+    if (hasFeature(kFeatureWideFilter) && pixelFilter == kFilterBlackmanHarris) {
         return vec2(sampleBlackmanHarris(u.x), sampleBlackmanHarris(u.y));
     }
-    if (pixelFilter == kFilterTent) {
+    if (hasFeature(kFeatureWideFilter) && pixelFilter == kFilterTent) {
         return vec2(sampleTent(u.x), sampleTent(u.y));
     }
     return vec2(u.x - 0.5f, u.y - 0.5f);
@@ -145,7 +163,11 @@ SHARED_FN CameraRay sampleCameraRay(const Camera camera, const uint x, const uin
                                     const vec2 uLens) {
     const vec2 offset = sampleFilter(camera.pixelFilter, uFilter);
     const vec2 place = vec2(float(x) + 0.5f + offset.x, float(y) + 0.5f + offset.y);
-    return cameraRayThrough(camera, place, sampleDisc(uLens));
+    vec2 lens = vec2(0.0f);
+    if (hasLens(camera)) {
+        lens = sampleDisc(uLens);
+    }
+    return cameraRayThrough(camera, place, lens);
 }
 
 SHARED_ASSERT_SIZE(Camera, 128)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The parts of the material model and of light transport that a scene uses.
+// The parts of the material model, of light transport and of the camera that a picture uses.
 //
 // On a driver that executes both sides of a branch, unused parts cost time. A kernel may therefore define
 // SHADING_FEATURES as a specialization constant and so remove the features that are not set in it. That must
-// not change a bit of the result for a scene that does not use them.
+// not change a bit of the result for a picture that does not use them.
 #ifndef METAMARCH_SHARED_FEATURES_H
 #define METAMARCH_SHARED_FEATURES_H
 #include "interop.h"
@@ -38,7 +38,14 @@ const uint kFeatureFurtherSets = 1u << 20u; // more than two sets of texture coo
 const uint kFeatureNormals = 1u << 21u;     // vertices with normals
 const uint kFeatureCatcher = 1u << 22u;     // a shadow catcher
 const uint kFeatureLightTree = 1u << 23u;   // so many lights that a tree chooses among those nearby
-const uint kFirstFreeFeature = 1u << 24u;
+
+// The parts of camera.h.
+const uint kFeatureLens = 1u << 24u;       // a lens with a radius
+const uint kFeaturePanorama = 1u << 25u;   // kProjectionPanorama
+const uint kFeatureWideFilter = 1u << 26u; // a filter other than the box
+const uint kCameraFeatures = kFeatureLens | kFeaturePanorama | kFeatureWideFilter;
+
+const uint kFirstFreeFeature = 1u << 27u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES

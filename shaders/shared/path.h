@@ -108,8 +108,11 @@ struct InWay {
 // Returns the first ray of a sample as a path.
 SHARED_FN Path cameraPath(const Camera camera, const PathSettings settings, const uint x, const uint y,
                           const PixelSample at) {
-    const CameraRay view =
-        sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), sample2d(at, kDimensionLens));
+    vec2 uLens = vec2(0.0f);
+    if (hasLens(camera)) {
+        uLens = sample2d(at, kDimensionLens);
+    }
+    const CameraRay view = sampleCameraRay(camera, x, y, sample2d(at, kDimensionFilter), uLens);
     return startPath(view.origin, view.dir, cameraCone(camera, view.dir), settings.eyeMedia);
 }
 

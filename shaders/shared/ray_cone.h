@@ -20,7 +20,7 @@ struct RayCone {
 // blur what is out of focus.
 SHARED_FN RayCone cameraCone(const Camera camera, const vec3 dir) {
     const float pixels = float(camera.width) * float(camera.height);
-    if (camera.projection == kProjectionPanorama) {
+    if (isPanorama(camera)) {
         const float up = dotProduct(dir, camera.dirDown);
         const float sine = sqrt(max(1.0f - up * up, 0.0f));
         return RayCone(0.0f, sqrt(kMapArea * sine / pixels));

@@ -160,7 +160,7 @@ class DisplayFilter : public testing::Test {
     tracer(const std::uint32_t tilesOfBand = render::DeviceFilm::kAllTiles,
            const std::uint32_t seed = 0) const {
         auto made = std::make_unique<render::PathTracer>(
-            device, scene.buffers(), scene.shading(), std::string(traversals().front()), kTiles, 0,
+            device, scene.buffers(), scene.shading(), std::string(traversals().front()), camera, kTiles, 0,
             std::span<const std::uint32_t>(), render::PathTracer::kFirstTurns, tilesOfBand);
         PathSettings seeded = settings();
         seeded.seed = seed;

@@ -61,6 +61,7 @@ class GrowingFilm : public testing::Test {
                 buffers,
                 shadingBuffers,
                 kDefaultTraversal,
+                camera,
                 render::Tiling(camera).count,
                 0,
                 {},
@@ -154,6 +155,26 @@ TEST_F(GrowingFilm, goesOnInBands) {
     expectSame(filmOf(second), atOnce(camera, kSamples));
 }
 
+// The kernel is compiled for what the camera has: a lens, a panorama, a wide filter.
+TEST_F(GrowingFilm, followsCamerasWithOtherFeatures) {
+    const CameraOptions plain = made.camera;
+    CameraOptions lens = plain;
+    lens.apertureRadius = 0.3f;
+    CameraOptions panorama = plain;
+    panorama.isPanorama = true;
+    CameraOptions filtered = plain;
+    filtered.pixelFilter = kFilterTent;
+    render::PathTracer one = tracer();
+    for (const CameraOptions& options : {plain, lens, panorama, filtered, plain}) {
+        const Camera seen = makeCamera(made.view, kWidth, kHeight, options);
+        one.start(seen, settings, {0, render::Tiling(seen).count});
+        while (one.samples() < 2) {
+            one.advance(2, 2, render::WorkSize::kTargetSeconds);
+        }
+        expectSame(filmOf(one), atOnce(seen, 2));
+    }
+}
+
 TEST_F(GrowingFilm, givesSinglePixels) {
     constexpr std::uint32_t kSamples = kBlockSamples + 2; // two blocks
     render::PathTracer whole = tracer();
@@ -175,7 +196,7 @@ TEST_F(GrowingFilm, givesSinglePixels) {
 // Few surfaces of an invocation in one dispatch: paths are cut, taken again, and get more turns.
 TEST_F(GrowingFilm, isTheSameInManyTurns) {
     for (const std::uint32_t turns : {1u, 3u, 20u}) {
-        render::PathTracer cut(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal,
+        render::PathTracer cut(vulkan::testDevice(), buffers, shadingBuffers, kDefaultTraversal, camera,
                                render::Tiling(camera).count, 0, {}, turns);
         cut.start(camera, settings, {0, render::Tiling(camera).count});
         while (cut.samples() < kBlockSamples + 2) {

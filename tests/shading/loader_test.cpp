@@ -59,7 +59,7 @@ std::vector<LoadedRecords> load(const ShadingScene& scene, const bool isTexel) {
     KernelInfo info;
     info.name = "loaders";
     info.spirv = isTexel ? std::span<const std::uint32_t>(loaders_texelSpirv) : loaders_storageSpirv;
-    buffers.addTo(info);
+    buffers.addTo(info, 0);
     info.storageBindings = {kBindOutput};
     if (!isTexel) {
         for (const auto& [binding, format] : info.texelBindings) {
