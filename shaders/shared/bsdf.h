@@ -53,7 +53,7 @@ SHARED_FN float radianceScaleOf(const Bsdf bsdf, const bool isThrough) {
 struct FacetPair {
     vec3 normal;
     float cosOut;  // cosine between wo and the facets' normal
-    float density; // pdf of wi, per solid angle, if the facets visible from wo are sampled
+    float density; // pdf of wi, per solid angle, if all facets visible from wo are sampled
     float passage;
 };
 
@@ -104,7 +104,8 @@ SHARED_FN BsdfValue evaluateDirection(const Bsdf bsdf, const vec3 wi, const uint
         const float density = isSmoothBase ? 1.0f : isRough && !bsdf.isSmooth ? facets.density : 0.0f;
         const float passed = isSmoothBase ? 1.0f : facets.passage;
         value = color * (density * passed * radianceScale * bsdf.baseScale);
-        pdf = bsdf.pBase * (isThrough ? 1.0f - colors.share : colors.share) * density;
+        pdf = bsdf.pBase * (isThrough ? 1.0f - colors.share : colors.share) *
+              (isSmoothBase ? 1.0f : density * bsdf.sampled.density);
         const float leftIn = bsdf.isRefractive ? 1.0f : diffusePart(bsdf, facetAlbedo(cosIn, alphaIn));
         left = bsdf.isSingleScatter ? 1.0f - colors.cover : bsdf.diffuseOut * leftIn;
         if (hasFeature(kFeatureSheen) && isComputed(largest(bsdf.sheenColor) > 0.0f)) {
@@ -148,17 +149,19 @@ SHARED_FN BsdfDirection sampleDirection(const Bsdf bsdf, const float uLobe, cons
     vec2 alpha = bsdf.alpha;
     Basis around = Basis(bsdf.frame.tangent, bsdf.frame.bitangent);
     vec3 normal = bsdf.frame.normal;
+    FacetBound among = bsdf.sampled;
     if (isCoat) {
         wo = bsdf.coat.wo;
         alpha = vec2(bsdf.coat.alpha, bsdf.coat.alpha);
         around = bsdf.coat.around;
         normal = bsdf.coat.normal;
+        among = bsdf.coat.sampled;
     }
     vec3 mirrored = vec3(0.0f);
     vec3 passed = vec3(0.0f);
     bool isThrough = false;
     if (hasFeature(kFeatureFacets | kFeatureCoat) && isComputed(!isCosine)) {
-        const vec3 facet = isSmooth ? vec3(0.0f, 0.0f, 1.0f) : sampleFacet(wo, alpha, uDirection);
+        const vec3 facet = isSmooth ? vec3(0.0f, 0.0f, 1.0f) : sampleFacet(wo, alpha, among, uDirection);
         const float facetOut = dotProduct(wo, facet);
         const Refraction refraction = refractionAt(facetOut, bsdf.eta);
         const vec3 refracted = facet * (facetOut / bsdf.eta - refraction.cosine) - wo / bsdf.eta;

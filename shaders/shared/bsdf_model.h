@@ -46,6 +46,7 @@ struct Bsdf {
     vec2 alpha;
     float meanAlpha; // a mean of both: see alphaTowards
     float lengthOut; // facetLength of wo
+    FacetBound sampled;
     float balanceOut;
     bool isSmooth;     // the lobes of the facets are deltas
     bool isRefractive; // the surface bounds a transparent volume
@@ -218,6 +219,10 @@ SHARED_FN Bsdf plainBsdf(const SurfaceMaterial material, const SurfaceFrame fram
     const float ior = max(trueIor, isRefractive ? kMinVolumeIor : 1.0f);
     const float etaF0 = material.ior > 0.0f ? normalReflectance(ior) : 1.0f;
     bsdf.isRefractive = isRefractive;
+    bsdf.sampled = kAllFacets;
+    if (!isRefractive) {
+        bsdf.sampled = mirroringFacets(local, bsdf.alpha, bsdf.lengthOut);
+    }
     const bool isDenser = isVolume && (frame.isBack != 0u) != isInverted; // on the side of wo
     bsdf.eta = isDenser ? 1.0f / ior : ior;
     bsdf.trueEta = isDenser ? 1.0f / trueIor : trueIor;

@@ -16,6 +16,8 @@ struct Coat {
     Basis around;
     vec3 normal;
     float alpha;
+    float lengthOut; // facetLength of wo
+    FacetBound sampled;
     bool isSmooth; // the lobe is a delta
     bool isSingleScatter;
     float albedo; // for light towards wo
@@ -38,7 +40,10 @@ SHARED_FN Coat makeCoat(const vec3 normal, const float strength, const float alp
     const float rough = kCoatF0 * (facets.whole - facets.grazing) + facets.grazing;
     const float mirror = blend(kCoatF0, 1.0f, schlickWeight(local.z));
     const float albedo = strength * (isSingleScatter || isSmooth ? mirror : rough);
-    return Coat(local, strength, around, normal, alpha, isSmooth, isSingleScatter, albedo);
+    const vec2 both = vec2(alpha, alpha);
+    const float lengthOut = facetLength(local, both);
+    return Coat(local, strength, around, normal, alpha, lengthOut, mirroringFacets(local, both, lengthOut),
+                isSmooth, isSingleScatter, albedo);
 }
 
 // Evaluates the coat towards wi (world space). If `isMirror`, evaluates the delta, with a density of 1.
@@ -48,14 +53,14 @@ SHARED_FN CoatLobe coatLobe(const Coat coat, const vec3 wi, const bool isMirror)
         vec3(dotProduct(wi, coat.around.tangent), dotProduct(wi, coat.around.bitangent), abs(cosIn));
     const vec3 facet = unitVector(coat.wo + incoming);
     const vec2 alpha = vec2(coat.alpha, coat.alpha);
-    const float lengthOut = facetLength(coat.wo, alpha);
-    const float density = mirrorDensity(facet, coat.wo.z, lengthOut, alpha);
-    const float passage = facetPassage(coat.wo.z, lengthOut, incoming.z, facetLength(incoming, alpha), false);
+    const float density = mirrorDensity(facet, coat.wo.z, coat.lengthOut, alpha);
+    const float passage =
+        facetPassage(coat.wo.z, coat.lengthOut, incoming.z, facetLength(incoming, alpha), false);
     const float cosine = coat.isSingleScatter ? coat.wo.z : dotProduct(coat.wo, facet);
     const float fresnel = coat.strength * blend(kCoatF0, 1.0f, schlickWeight(cosine));
     const bool isRough = !isMirror && !coat.isSmooth && cosIn > 0.0f;
     const float value = isMirror ? fresnel : isRough ? fresnel * density * passage : 0.0f;
-    return CoatLobe(value, isMirror ? 1.0f : isRough ? density : 0.0f);
+    return CoatLobe(value, isMirror ? 1.0f : isRough ? density * coat.sampled.density : 0.0f);
 }
 
 SHARED_END

@@ -46,11 +46,30 @@ SHARED_FN float facetPassage(const float cosOut, const float lengthOut, const fl
     return 2.0f * seen / (2.0f * seen + shadowed);
 }
 
+// Which of the facets visible from wo are sampled: all (bound 1), or those that can mirror wo above the
+// surface, and few others.
+struct FacetBound {
+    float bound;   // in [0, 1], of the height of the spherical cap
+    float density; // of a sampled facet, relative to that among all visible ones
+};
+
+const FacetBound kAllFacets = FacetBound(1.0f, 1.0f);
+
+// Y. Tokuyoshi, K. Eto, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia 2023. `lengthOut` is
+// facetLength(wo).
+SHARED_FN FacetBound mirroringFacets(const vec3 wo, const vec2 alpha, const float lengthOut) {
+    const float square = squared(min(alpha.x, alpha.y));
+    const float reach = squared(1.0f + sqrt(wo.x * wo.x + wo.y * wo.y));
+    const float bound = (1.0f - square) * reach / (reach + square * wo.z * wo.z);
+    return FacetBound(bound, (lengthOut + wo.z) / (lengthOut + bound * wo.z));
+}
+
 // Samples the normal of a facet visible from `wo`, in proportion to projected areas. J. Dupuy, A. Benyoub,
 // "Sampling Visible GGX Normals with Spherical Caps", CGF 42(8), 2023.
-SHARED_FN vec3 sampleFacet(const vec3 wo, const vec2 alpha, const vec2 u) {
+SHARED_FN vec3 sampleFacet(const vec3 wo, const vec2 alpha, const FacetBound among, const vec2 u) {
     const vec3 stretched = unitVector(vec3(wo.x * alpha.x, wo.y * alpha.y, wo.z));
-    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    const float depth = among.bound * stretched.z;
+    const float z = (1.0f - u.y) * (1.0f + depth) - depth;
     const float radius = sqrt(max(1.0f - z * z, 0.0f));
     const vec2 circle = circlePoint(u.x);
     const vec3 onSphere =
