@@ -40,8 +40,9 @@ layout(constant_id = kSpecFilm) const uint filmParts = kFilmLight | kFilmHits;
 Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, const uint dimension,
                   const Passing passed, out InWay inWay) {
     Trace trace = startTrace(given);
-    inWay = InWay(kNothing, kNothing);
-    if (!hasFeature(kFeatureAlpha | kFeatureCatcher)) {
+    inWay = nothingInWay();
+    // Only rays to lights, which ask for any hit, go through panes.
+    if (!hasFeature(kFeatureAlpha | kFeatureCatcher) && !(hasFeature(kFeatureThinGlass) && anyHit)) {
         traverse(given, anyHit, trace);
         inWay.first = trace.hit.triangleId == kNoTriangle ? kNothing : kObject;
         return trace;
@@ -64,8 +65,7 @@ Trace traceOpaque(const Ray given, const bool anyHit, const PixelSample at, cons
             }
             trace.finished = next.finished;
             if (!isDone) {
-                inWay.last = kindOf(ray, loadTriangle(next.recordIndex), at, dimension, passed.material);
-                inWay.first = inWay.first == kNothing ? inWay.last : inWay.first;
+                inWay = meetInWay(inWay, ray, loadTriangle(next.recordIndex), at, dimension, passed);
                 isDone = passed.isToLamps ? inWay.last == kLamp : inWay.last != kNothing;
                 ray = rayBehind(ray, next.hit.t);
             }
@@ -128,7 +128,7 @@ void main() {
                     InWay ofLight;
                     const Trace blocker =
                         traceOpaque(toLight, true, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
-                                    passing(settings, step.path), ofLight);
+                                    shadowPassing(settings, step.path), ofLight);
                     isWhole = isWhole && blocker.finished;
                     steps += blocker.steps;
                     tests += blocker.tests;

@@ -45,7 +45,10 @@ const uint kFeaturePanorama = 1u << 25u;   // kProjectionPanorama
 const uint kFeatureWideFilter = 1u << 26u; // a filter other than the box
 const uint kCameraFeatures = kFeatureLens | kFeaturePanorama | kFeatureWideFilter;
 
-const uint kFirstFreeFeature = 1u << 27u;
+// Smooth glass without a volume, through which light goes straight.
+const uint kFeatureThinGlass = 1u << 27u;
+
+const uint kFirstFreeFeature = 1u << 28u;
 const uint kAllFeatures = kFirstFreeFeature - 1u;
 
 #ifndef SHADING_FEATURES

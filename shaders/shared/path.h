@@ -30,6 +30,11 @@ struct Path {
     vec3 dir;    // unit length
     uint bounce; // number of surfaces met so far
     uint passes; // with kFeatureVolume, number of them that were no interface: see passSurface
+    // With kFeatureThinGlass: number of panes that the path went straight through, and the length of the ray
+    // before the last of them, back to the surface that scattered it. `pdf`, `bin` and `receiver` are that
+    // surface's, because its light samples go through the panes too.
+    uint panes;
+    float behindPanes;
     vec3 throughput;
     float radianceScale; // contained in throughput: see BsdfSample
     vec3 radiance;
@@ -74,14 +79,19 @@ struct PathStep {
 };
 
 SHARED_FN Path startPath(const vec3 origin, const vec3 dir, const RayCone cone, const Media media) {
-    return Path(origin, kCertain, dir, 0u, 0u, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel,
+    return Path(origin, kCertain, dir, 0u, 0u, 0u, 0.0f, vec3(1.0f), 1.0f, vec3(0.0f), vec3(0.0f), kNoChannel,
                 kAnyNormal, LightReceiver(vec3(0.0f), vec3(0.0f)), true, cone, media, false, false,
                 vec3(0.0f), vec3(0.0f), false, 0.0f);
 }
 
+// Returns the number of surfaces that count as bounces: all that the path has met but panes.
+SHARED_FN uint countedBounces(const Path path) {
+    return hasFeature(kFeatureThinGlass) ? path.bounce - path.panes : path.bounce;
+}
+
 // Returns the number of surfaces that have scattered the path.
 SHARED_FN uint scatterings(const Path path) {
-    return hasFeature(kFeatureVolume) ? path.bounce - path.passes : path.bounce;
+    return hasFeature(kFeatureVolume) ? countedBounces(path) - path.passes : countedBounces(path);
 }
 
 // Returns true for a path, or a shadow ray of it, that is on its way from the shadow catcher which its camera
@@ -103,7 +113,10 @@ const uint kLamp = 2u; // is there without objects too
 struct InWay {
     uint first;
     uint last;
+    vec3 tint; // with kFeatureThinGlass: the part of the light that the panes in the way let through
 };
+
+SHARED_FN InWay nothingInWay() { return InWay(kNothing, kNothing, vec3(1.0f)); }
 
 // Returns the first ray of a sample as a path.
 SHARED_FN Path cameraPath(const Camera camera, const PathSettings settings, const uint x, const uint y,
@@ -163,8 +176,9 @@ SHARED_FN PathSample afterShadow(const PathSample lit, const vec3 gain, const In
     PathSample next = lit;
     const bool isFree = inWay.first == kNothing;
     if (isFree) {
-        next.path.radiance = lit.path.radiance + gain;
-        next.light = addLight(lit.light, scatterings(lit.path), gain);
+        const vec3 left = hasFeature(kFeatureThinGlass) ? gain * inWay.tint : gain;
+        next.path.radiance = lit.path.radiance + left;
+        next.light = addLight(lit.light, scatterings(lit.path), left);
     }
     if (hasFeature(kFeatureCatcher) &&
         (isFromCatcher(lit.path) ? inWay.last != kLamp : lit.path.isOfLamp && isFree)) {
@@ -205,10 +219,11 @@ SHARED_FN LightParts endSampleLight(const LightParts sum, const PathSample ended
     return addSampleLight(sum, filmRadiance(path), light);
 }
 
-// What a ray passes on its way. With kFeatureCatcher.
+// What a ray passes on its way. With kFeatureCatcher or kFeatureThinGlass.
 struct Passing {
-    uint material;  // its surfaces are not there; kNoCatcher: all are there
-    bool isToLamps; // the ray goes on through objects until it meets a lamp
+    uint material;       // its surfaces are not there; kNoCatcher: all are there
+    bool isToLamps;      // the ray goes on through objects until it meets a lamp
+    bool isThroughPanes; // the ray goes straight through smooth, thin glass
 };
 
 // Returns what the rays of `path` pass. The catcher neither shadows nor mirrors itself: the ground that it is
@@ -217,7 +232,16 @@ SHARED_FN Passing passing(SCENE_PARAMETER const PathSettings settings, const Pat
     const bool isPassed = isFromCatcher(path) || isFromMirror(path);
     return Passing(hasFeature(SCENE kFeatureCatcher) && isPassed ? settings.catcher : kNoCatcher,
                    hasFeature(SCENE kFeatureCatcher) && hasFeature(SCENE kFeatureEmission) &&
-                       isFromCatcher(path));
+                       isFromCatcher(path),
+                   false);
+}
+
+// Returns the same for the ray to a light from the surface that `path` has just left. To the catcher panes
+// are objects.
+SHARED_FN Passing shadowPassing(SCENE_PARAMETER const PathSettings settings, const Path path) {
+    Passing passed = passing(SCENE settings, path);
+    passed.isThroughPanes = hasFeature(SCENE kFeatureThinGlass) && !isFromCatcher(path);
+    return passed;
 }
 
 // Returns the settings for light between an emitter and a surface. How bright a hidden emitter would be in a
@@ -281,6 +305,42 @@ SHARED_FN uint kindOf(SCENE_PARAMETER const Ray ray, const TriangleRecord triang
                         record.emissionDensity > 0.0f &&
                         largest(xyz(lookUp(SCENE record.emissionTexture, uv))) >= kLampPart;
     return !isThere ? kNothing : isLamp ? kLamp : kObject;
+}
+
+// Returns true for smooth glass without a volume: it lets light through in a straight line, or mirrors it.
+SHARED_FN bool isPane(const Bsdf bsdf, const MaterialRecord record) {
+    return hasFeature(kFeatureThinGlass) && bsdf.hasFacets && bsdf.isSmooth &&
+           (record.flags & kSurfaceVolume) == 0u && largest(bsdf.throughColor) > 0.0f;
+}
+
+// Returns the part of the light that goes straight through a triangle along the ray; 0 if it is no pane.
+SHARED_FN vec3 throughPane(SCENE_PARAMETER const Ray ray, const TriangleRecord triangle) {
+    const Surface surface = loadSurface(SCENE triangle.triangleId);
+    const MaterialRecord record = loadMaterial(SCENE surface.material);
+    const vec3 weights = cornerWeights(ray, triangle.v0, triangle.v1, triangle.v2);
+    const TexturePoint uv = finestPoint(SCENE surface, weights);
+    const vec3 wo = -unitVector(ray.dir);
+    const SurfaceFrame frame =
+        surfaceFrame(SCENE record, surface, weights, uv, makeSurfacePoint(triangle, weights).normal, wo);
+    const Bsdf bsdf = makeBsdf(
+        surfaceMaterial(SCENE record, vertexColor(SCENE surface, weights), uv, record.ior), frame, wo);
+    return isPane(bsdf, record) ? evaluateDirection(bsdf, -wo, kLobeSmoothBase).value : vec3(0.0f);
+}
+
+// Returns what is in the way of a ray that has met one more triangle. `before` is what was in its way before.
+SHARED_FN InWay meetInWay(SCENE_PARAMETER const InWay before, const Ray ray, const TriangleRecord triangle,
+                          const PixelSample at, const uint dimension, const Passing passed) {
+    InWay inWay = before;
+    inWay.last = kindOf(SCENE ray, triangle, at, dimension, passed.material);
+    if (hasFeature(SCENE kFeatureThinGlass) && passed.isThroughPanes && inWay.last == kObject) {
+        const vec3 through = throughPane(SCENE ray, triangle);
+        if (largest(through) > 0.0f) {
+            inWay.tint = before.tint * through;
+            inWay.last = kNothing;
+        }
+    }
+    inWay.first = before.first == kNothing ? inWay.last : before.first;
+    return inWay;
 }
 
 // Ends a path whose ray hits no triangle.
@@ -377,11 +437,11 @@ SHARED_FN ShadowRay sampleLights(SCENE_PARAMETER const PathSettings settings, co
 
 SHARED_FN ShadowRay noShadow() { return ShadowRay(vec3(0.0f), 0.0f, vec3(0.0f), false, vec3(0.0f), true); }
 
-// Returns the path after the surface, in a direction that is sampled from the BSDF. `width` is that of the
-// cone at the surface.
+// Returns the path after the surface, which it met at distance `t`, in a direction that is sampled from the
+// BSDF. `width` is that of the cone at the surface.
 SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint medium, const Bsdf bsdf,
-                       const SurfacePoint point, const LightReceiver from, const uint bin, const float width,
-                       const PixelSample at) {
+                       const SurfacePoint point, const LightReceiver from, const uint bin, const float t,
+                       const float width, const PixelSample at) {
     const BsdfSample drawn = sampleBsdf(bsdf, sample1d(at, bounceDimension(path.bounce, kBounceLobe)),
                                         sample2d(at, bounceDimension(path.bounce, kBounceDirection)));
     const float radianceScale = path.radianceScale * drawn.radianceScale;
@@ -406,6 +466,18 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint 
     next.receiver = from;
     next.isAlive = kept > 0.0f && survives;
     next.cone = scatteredCone(path.cone, width, next.pdf);
+    if (hasFeature(kFeatureThinGlass)) {
+        const bool isStraight = isPane(bsdf, record) && drawn.flags == (kSampleDelta | kSampleTransmitted) &&
+                                !isFromCatcher(path);
+        next.behindPanes = 0.0f;
+        if (isStraight) {
+            next.pdf = path.pdf;
+            next.bin = path.bin;
+            next.receiver = path.receiver;
+            next.panes = path.panes + 1u;
+            next.behindPanes = path.behindPanes + t;
+        }
+    }
     if (hasFeature(kFeatureVolume)) {
         const bool isCrossed =
             (drawn.flags & kSampleTransmitted) != 0u && (record.flags & kSurfaceVolume) != 0u;
@@ -492,8 +564,9 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
             probability = chance.probability;
             isWhole = chance.isWhole;
         }
-        const float density =
-            solidAngleDensity(emitterDensity(SCENE record, triangle, probability), t * t, cosine);
+        const float distance = hasFeature(SCENE kFeatureThinGlass) ? path.behindPanes + t : t;
+        const float density = solidAngleDensity(emitterDensity(SCENE record, triangle, probability),
+                                                distance * distance, cosine);
         const vec3 emitted = record.emission * xyz(lookUp(SCENE record.emissionTexture, uv));
         gain = emitted *
                (isShown ? bsdf.emissionScale * foundWeight(emitterSettings(settings, isFromCatcher(path)),
@@ -522,7 +595,7 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
 
     // What the catcher mirrors looks as the camera would see it.
     const uint maxBounces = settings.maxBounces + (path.isMirrored ? 1u : 0u);
-    const bool isLast = isUnlit || path.bounce > maxBounces;
+    const bool isLast = isUnlit || countedBounces(path) > maxBounces;
     const LightReceiver receiver = lightReceiver(bsdf, point);
     const uint bin = lightBin(SCENE bsdf);
     ShadowRay shadow = noShadow();
@@ -530,11 +603,13 @@ SHARED_FN PathStep meetSurface(SCENE_PARAMETER const PathSettings settings, cons
         shadow = sampleLights(SCENE settings, path, bsdf, point, receiver, bin, path.media.first, behind, at);
         shadow.isNeeded = shadow.isNeeded && !isLast && !isPassed && !isMirror;
     }
-    Path next = scatter(path, record, medium, bsdf, point, receiver, bin, width, at);
+    Path next = scatter(path, record, medium, bsdf, point, receiver, bin, t, width, at);
     if (hasFeature(SCENE kFeatureVolume) && isPassed) {
         next = passSurface(path, medium, frame.isBack != 0u, point, width);
     }
-    next.isAlive = next.isAlive && !isLast;
+    // A pane that is gone through is no bounce, so the path may go on behind its last one.
+    const bool isThroughPane = hasFeature(SCENE kFeatureThinGlass) && !isUnlit && next.panes > path.panes;
+    next.isAlive = next.isAlive && (isThroughPane || !isLast);
     if (hasFeature(SCENE kFeatureCatcher) && isMirror) {
         next.throughput = next.throughput / kMirrorPart;
         next.pdf = kCertain; // no light sample looks for what is in the mirror

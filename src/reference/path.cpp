@@ -26,8 +26,8 @@ struct Found {
 // kernels/path.glsl has another loop, because of llvmpipe.
 Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, const PixelSample at,
                   const uint dimension, const Passing passed) {
-    Found found{{}, {kNothing, kNothing}};
-    if (!hasFeature(render.scene, kFeatureAlpha | kFeatureCatcher)) {
+    Found found{{}, nothingInWay()};
+    if (!hasFeature(render.scene, kFeatureAlpha | kFeatureCatcher) && !passed.isThroughPanes) {
         found.trace = traceKdStack(render.structure, given, query);
         found.inWay.first = found.trace.hit.triangleId == kNoTriangle ? kNothing : kObject;
         return found;
@@ -45,9 +45,9 @@ Found traceOpaque(const Render& render, const Ray& given, const HitQuery query, 
         if (next.hit.triangleId == kNoTriangle) {
             return found;
         }
-        const uint kind = kindOf(render.scene, ray, render.structure.triangles[next.recordIndex], at,
-                                 dimension, passed.material);
-        found.inWay = {found.inWay.first == kNothing ? kind : found.inWay.first, kind};
+        found.inWay = meetInWay(render.scene, found.inWay, ray, render.structure.triangles[next.recordIndex],
+                                at, dimension, passed);
+        const uint kind = found.inWay.last;
         if (passed.isToLamps ? kind == kLamp : kind != kNothing) {
             return found;
         }
@@ -83,9 +83,9 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
         if (step.shadow.isNeeded) {
             const Ray toLight = makeRay(render.structure.lattice, step.shadow.origin, 0.0f, step.shadow.dir,
                                         step.shadow.tMax);
-            const auto [blocker, ofLight] = traceOpaque(render, toLight, HitQuery::any, taken.at,
-                                                        bounceDimension(path.bounce, kBounceLightAlpha),
-                                                        passing(render.scene, render.settings, step.path));
+            const auto [blocker, ofLight] = traceOpaque(
+                render, toLight, HitQuery::any, taken.at, bounceDimension(path.bounce, kBounceLightAlpha),
+                shadowPassing(render.scene, render.settings, step.path));
             count(taken, blocker);
             ++taken.shadowRays;
             taken = afterShadow(taken, step.shadow.gain, ofLight);

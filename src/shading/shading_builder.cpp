@@ -4,6 +4,7 @@
 #include "metamarch/shading/light/light_store.h"
 #include "metamarch/shading/shading.h"
 #include "metamarch/shading/texture/texel_store.h"
+#include "metamarch/shared/microfacet.h"
 #include "metamarch/shared/surface.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ std::uint32_t featuresOf(const Material& m) {
     const bool isPlainSpecular = m.specularFactor == 1.0f && m.specularColorFactor == glm::vec3(1.0f) &&
                                  m.specularTexture.texture == kNoTexture &&
                                  m.specularColorTexture.texture == kNoTexture;
+    const bool mayBeSmooth = m.roughnessFactor * m.roughnessFactor <= kMinAlpha ||
+                             m.metallicRoughnessTexture.texture != kNoTexture;
     const bool hasFacets = m.metallicFactor > 0.0f || m.specularFactor > 0.0f ||
                            m.transmissionFactor > 0.0f || m.sheenColorFactor != glm::vec3(0.0f) ||
                            m.iridescenceFactor > 0.0f;
@@ -46,6 +49,8 @@ std::uint32_t featuresOf(const Material& m) {
            feature(m.sheenColorFactor != glm::vec3(0.0f), kFeatureSheen) |
            feature(m.transmissionFactor > 0.0f, kFeatureTransmission) |
            feature(m.transmissionFactor > 0.0f && m.thicknessFactor > 0.0f, kFeatureVolume) |
+           feature(m.transmissionFactor > 0.0f && m.thicknessFactor == 0.0f && mayBeSmooth,
+                   kFeatureThinGlass) |
            feature(m.diffuseTransmissionFactor > 0.0f, kFeatureDiffuseTransmission) |
            feature(m.diffuseTransmissionFactor > 0.0f && m.thicknessFactor > 0.0f,
                    kFeatureTransmission | kFeatureVolume) |

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace metamarch::tests {
 namespace {
@@ -176,6 +177,75 @@ TEST(PathGlass, prismDeviatesARayBySnellsLaw) {
     // One ten-thousandth comes from light that is reflected on all three sides and leaves in the same
     // direction.
     EXPECT_LT(seen.after, 0.001);
+}
+
+// Light samples go straight through smooth, thin glass. A pane lets 1 - F of the light through, with
+// Schlick's F for the index 1.5.
+constexpr double kFloorAlbedo = 0.5;
+
+Material pane(const glm::vec3 color, const float roughness) {
+    Material made = glass(kIor, roughness);
+    made.thicknessFactor = 0.0f;
+    made.baseColorFactor = glm::vec4(color, 1.0f);
+    return made;
+}
+
+PathScene floorUnder(const std::vector<Material>& panes) {
+    PathScene made;
+    addQuad(made.scene, {-20, 0, 20}, {40, 0, 0}, {0, 0, -40},
+            addMaterial(made.scene, lambert(glm::vec3(float{kFloorAlbedo}))));
+    float height = 1.0f;
+    for (const Material& material : panes) {
+        addQuad(made.scene, {-20, height, 20}, {40, 0, 0}, {0, 0, -40}, addMaterial(made.scene, material));
+        height += 0.1f;
+    }
+    return made;
+}
+
+// The direct light that the floor reflects at the origin, seen from below the panes.
+glm::dvec3 directLight(const PathScene& made, const std::uint32_t samples, const std::uint32_t strategies) {
+    return probe(made, {0.6f, 0.5f, 0.0f}, {0, 0, 0},
+                 {.samples = samples, .maxBounces = 0, .strategies = strategies});
+}
+
+TEST(PathPanes, letPointLightThrough) {
+    const Material red = pane({0.9f, 0.3f, 0.2f}, 0.0f);
+    const Material clear = pane(glm::vec3(1.0f), 0.0f);
+    for (const double angle : {0.0, 0.5, 1.0, 1.3}) {
+        PathScene made = floorUnder({red, clear});
+        addPointLight(made.scene, {3.0f * static_cast<float>(std::tan(angle)), 3.0f, 0.0f}, 10.0f);
+        const double passed = 0.96 * (1.0 - std::pow(1.0 - std::cos(angle), 5.0));
+        const double irradiance = 10.0 / 9.0 * std::pow(std::cos(angle), 3.0);
+        const double whole = kFloorAlbedo / std::numbers::pi * irradiance * passed * passed;
+        const glm::dvec3 found = directLight(made, 4, kSampleLights | kSampleBsdf);
+        const glm::dvec3 expected = whole * glm::dvec3(0.9, 0.3, 0.2);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(found[c], expected[c], 1e-4 * expected[c]) << angle << " " << c;
+        }
+    }
+}
+
+TEST(PathPanes, hideLightIfRoughOrThick) {
+    for (const Material& material : {pane(glm::vec3(1.0f), 0.3f), glass(kIor, 0.0f)}) {
+        PathScene made = floorUnder({material});
+        addPointLight(made.scene, {0, 3, 0}, 10.0f);
+        EXPECT_EQ(directLight(made, 4, kSampleLights | kSampleBsdf).r, 0.0);
+    }
+}
+
+// The lamp is so high above the floor that its light is all but normal to the panes.
+TEST(PathPanes, letLampThroughByEveryStrategy) {
+    const auto lit = [](const std::vector<Material>& panes, const std::uint32_t strategies) {
+        PathScene made = floorUnder(panes);
+        addQuad(made.scene, {-0.5f, 3, -0.5f}, {1, 0, 0}, {0, 0, 1},
+                addMaterial(made.scene, emitter(glm::vec3(9.0f))));
+        return directLight(made, strategies == kSampleBsdf ? 8192 : 256, strategies).g;
+    };
+    const Material green = pane({0.1f, 0.7f, 0.2f}, 0.0f);
+    const double expected = 0.96 * 0.96 * 0.7 * 0.7 * lit({}, kSampleLights);
+    EXPECT_NEAR(lit({green, green}, kSampleLights), expected, 0.003 * expected);
+    EXPECT_NEAR(lit({green, green}, kSampleLights | kSampleBsdf), expected, 0.006 * expected);
+    EXPECT_NEAR(lit({green, green}, kSampleBsdf), expected, 0.03 * expected);
 }
 
 } // namespace

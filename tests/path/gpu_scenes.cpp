@@ -165,6 +165,22 @@ void lamp(PathScene& made) {
     addQuad(made.scene, {-1.5f, 3, -0.5f}, {1, 0, 0}, {0, 0, 1}, addMaterial(made.scene, light));
 }
 
+// Panes between ball and lights. The roughness of the second one varies, so it is a pane in part.
+void panes(PathScene& made) {
+    Material clear;
+    clear.metallicFactor = 0.0f;
+    clear.roughnessFactor = 0.0f;
+    clear.transmissionFactor = 0.9f;
+    clear.baseColorFactor = {0.9f, 0.8f, 0.7f, 1.0f};
+    addQuad(made.scene, {-2, 2.3f, -1.5f}, {3, 0, 0.2f}, {0, 0.1f, 3}, addMaterial(made.scene, clear));
+    Material holed = clear;
+    holed.roughnessFactor = 1.0f;
+    holed.metallicRoughnessTexture = {
+        addTexture(made.scene, 2, {{0, 0, 0, 255}, {0, 0, 0, 255}, {0, 90, 0, 255}, {0, 0, 0, 255}},
+                   TextureFilter::nearest)};
+    addQuad(made.scene, {1.2f, 0.2f, -1}, {0.1f, 0, 2.5f}, {0, 2, 0}, addMaterial(made.scene, holed));
+}
+
 void punctual(PathScene& made) {
     addPointLight(made.scene, {2, 3, 1}, 4.0f);
     PunctualLight spot;
@@ -386,6 +402,27 @@ const std::vector<GpuPathScene>& gpuPathScenes() {
          [] { return ballScene([](PathScene& made, Material&) { manyLights(made); }); },
          {.samples = 5, .maxBounces = 6, .strategies = kSampleBsdf}},
         {"sky", [] { return ballScene([](PathScene& made, Material&) { sky(made); }); }},
+        {"panes",
+         [] {
+             return ballScene([](PathScene& made, Material&) {
+                 panes(made);
+                 lamp(made);
+                 punctual(made);
+                 sky(made);
+             });
+         },
+         {.samples = 5, .maxBounces = 4, .filmParts = kFilmLight}},
+        {"panes_over_shadow_catcher",
+         [] {
+             return withCatcher(ballScene([](PathScene& made, Material& ball) {
+                 panes(made);
+                 manyLights(made);
+                 sky(made);
+                 ball.alphaMode = AlphaMode::blend;
+                 ball.baseColorFactor.a = 0.6f;
+             }));
+         },
+         {.samples = 5, .maxBounces = 3, .filmParts = kFilmLight}},
         {"lens",
          [] {
              return ballScene([](PathScene& made, Material&) {

@@ -176,6 +176,18 @@ TEST(PathUnbiased, mapWithABrightPatch) {
     expectSameByEveryStrategy(ballsUnderMap(), {.samples = 128, .maxBounces = 4}, 0.02);
 }
 
+TEST(PathUnbiased, panesBelowALampAndAMap) {
+    PathScene made = ballsUnderMap();
+    Material pane = glass(1.5f, 0.0f);
+    pane.thicknessFactor = 0.0f;
+    pane.baseColorFactor = {0.9f, 0.8f, 0.6f, 1.0f};
+    const std::uint32_t material = addMaterial(made.scene, pane);
+    addQuad(made.scene, {-1.5f, 1.1f, -1.0f}, {2.5f, 0, 0}, {0, 0, 2}, material);
+    addQuad(made.scene, {-1.5f, 1.3f, -1.0f}, {2.5f, 0, 0}, {0, 0, 2}, material);
+    addQuad(made.scene, {1.0f, 0.0f, -1.0f}, {0, 0, 2}, {0, 1.1f, 0}, material);
+    expectSameByEveryStrategy(made, {.samples = 128, .maxBounces = 4}, 0.02);
+}
+
 TEST(PathUnbiased, closedRoom) { expectSameByEveryStrategy(room(), {.samples = 128, .maxBounces = 6}, 0.02); }
 
 } // namespace
