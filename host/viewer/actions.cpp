@@ -119,6 +119,13 @@ void turnView(Settings& settings, const int by) {
     settings.view = next == 0 ? std::nullopt : std::optional(static_cast<std::uint32_t>(next - 1));
 }
 
+void flipKept(ViewerState& state) {
+    state.toShow = state.kept.next();
+    if (state.toShow == state.kept.shown()) {
+        state.say("nothing is kept: K keeps the view as A, Shift+K as B");
+    }
+}
+
 // Goes to another screen of the tour, and begins the tour where there is none.
 void turnScreen(ViewerState& state, const int by) {
     const int last = static_cast<int>(tour().size()) - 1;
@@ -183,8 +190,15 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
         goTo(state, state.history.redo(), "there is no later view");
         return true;
     case Action::clearMarks:
+        if (state.kept.shown() != Shown::present) {
+            state.toShow = Shown::present;
+            return true;
+        }
         state.selected.reset();
         state.march.reset();
+        return true;
+    case Action::flipKept:
+        flipKept(state);
         return true;
     case Action::toggleHelp:
         settings.hasHelp = !settings.hasHelp;
@@ -228,6 +242,8 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
     case Action::showScreenAgain:
         turnScreen(state, 0);
         return true;
+    case Action::keepA:
+    case Action::keepB:
     case Action::printCamera:
     case Action::saveMarch:
     case Action::saveScreenshot:

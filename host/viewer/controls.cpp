@@ -29,7 +29,7 @@ constexpr KeyHelp kHelp[] = {
     {"left click", "pick a triangle"},
     {"Ctrl+click", "focus there, with a lens"},
     {"Alt+click, M", "march the ray there, step by step"},
-    {"Esc", "forget what is picked, and the march"},
+    {"Esc", "forget what is picked, and the march; back from A or B"},
     {"Home, F", "frame all; what is picked, or the step"},
     {"Enter", "the first view"},
     {"1 3 7, Ctrl", "from the front, right, top; the opposite"},
@@ -40,6 +40,8 @@ constexpr KeyHelp kHelp[] = {
     {"H", "heat map of steps, and back"},
     {"T", "next traversal"},
     {"X", "split: two traversals side by side"},
+    {"K, Shift+K", "keep the view as A; as B"},
+    {"J", "flip: A and B, or the only one and the present view"},
     {", .", "field of view"},
     {"- =", "exposure"},
     {"I", "read out the pixel under the cursor"},
@@ -262,6 +264,12 @@ void Controls::applyOnce(const KeyPress& press, ViewerState& state) {
         break;
     case GLFW_KEY_P:
         actions.push_back(isShifted ? Action::saveWindow : Action::saveScreenshot);
+        break;
+    case GLFW_KEY_K:
+        actions.push_back(isShifted ? Action::keepB : Action::keepA);
+        break;
+    case GLFW_KEY_J:
+        actions.push_back(Action::flipKept);
         break;
     case GLFW_KEY_I:
         actions.push_back(Action::toggleReadOut);

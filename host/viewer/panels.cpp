@@ -225,6 +225,22 @@ void drawStatistics(const ViewerState& state) {
                      scene.shown.structure->treeSeconds, scene.shown.structure->tableSeconds));
 }
 
+void drawKept(ViewerState& state) {
+    for (const Shown slot : {Shown::present, Shown::a, Shown::b}) {
+        ImGui::BeginDisabled(!state.kept.has(slot));
+        if (ImGui::RadioButton(nameOf(slot), state.kept.shown() == slot)) {
+            state.toShow = slot;
+        }
+        ImGui::EndDisabled();
+        if (slot != Shown::present) {
+            ImGui::SameLine();
+            if (ImGui::Button(fmt::format("keep the view as {}", nameOf(slot)).c_str())) {
+                state.actions.push_back(slot == Shown::a ? Action::keepA : Action::keepB);
+            }
+        }
+    }
+}
+
 void drawMeshes(ViewerState& state) {
     const Scene& whole = *state.scene->whole;
     std::set<std::uint32_t>& hidden = state.settings.hiddenMeshes;
@@ -474,6 +490,9 @@ void drawPanels(ViewerState& state) {
         }
         if (header("Scene", false)) {
             drawScene(state);
+        }
+        if (header("A and B", false)) {
+            drawKept(state);
         }
         if (state.selected && header("Picked triangle", true)) {
             drawPicked(state);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/split_view.h"
 
-#include "metamarch/render/kernel.h"
-#include "metamarch/shared/tile_order.h"
-
 #include <algorithm>
 
 namespace metamarch::viewer {
@@ -131,24 +128,9 @@ void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {
         if (screen.isEmpty) {
             commands.fill(screen.pixels, kEmptyPixel);
         }
-        return;
+    } else if (screen.isEmpty) { // otherwise it has been stretched before
+        stretched.record(commands, *screen.pixelsBefore, screen.sizeBefore, screen);
     }
-    if (!screen.isEmpty) {
-        return; // it has been stretched before
-    }
-    if (!stretching) {
-        stretching = render::makeKernel(device, "present",
-                                        {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
-                                         .pushConstantSize = sizeof(PresentPush)});
-    }
-    stretching->bind(kBindInput, *screen.pixelsBefore);
-    stretching->bind(kBindCoarse, *screen.pixelsBefore);
-    stretching->bind(kBindOutput, screen.pixels);
-    const glm::uvec2 before = screen.sizeBefore;
-    // Both have the same order in memory, so no bytes are exchanged.
-    commands.dispatch(*stretching, {(screen.size.x + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
-                      PresentPush{screen.size.x, screen.size.y, 0, screen.size.x, before.x, before.y,
-                                  before.x, before.y, 0u});
 }
 
 render::PathCounters SplitView::counters() const {

@@ -2,11 +2,11 @@
 // The window's picture: one viewport, or two side by side.
 #pragma once
 #include "metamarch/render/stopwatch.h"
+#include "metamarch/viewer/stretched_picture.h"
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/viewer/viewport.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace metamarch::viewer {
 
 class SplitView {
   public:
-    explicit SplitView(const vulkan::Device& usedDevice) : device(usedDevice) {}
+    explicit SplitView(const vulkan::Device& usedDevice) : device(usedDevice), stretched(usedDevice) {}
 
     bool isEmpty() const { return viewports.empty(); }
     bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
@@ -45,6 +45,9 @@ class SplitView {
     // now.
     void paint(vulkan::Commands& commands, const Screen& screen, float line);
 
+    // Returns true if the screen shows the viewports' pictures, from edge to edge.
+    bool isShown() const { return hasPicture; }
+
     // Counts a frame and updates the statistics.
     void measure(Statistics& statistics);
 
@@ -62,8 +65,8 @@ class SplitView {
     const vulkan::Device& device;
     std::vector<std::unique_ptr<Viewport>> viewports;
     glm::uvec2 size{0};
-    bool hasPicture = false;                           // the viewports have been whole since make()
-    std::optional<vulkan::ComputePipeline> stretching; // the kernel `present`, over the screen's old pixels
+    bool hasPicture = false; // the viewports have been whole since make()
+    StretchedPicture stretched;
     RenderRequest request;
 
     Stopwatch sinceMeasured;

@@ -10,6 +10,7 @@
 #include "metamarch/viewer/actions.h"
 #include "metamarch/viewer/controls.h"
 #include "metamarch/viewer/heat_range.h"
+#include "metamarch/viewer/kept_pictures.h"
 #include "metamarch/viewer/overlay.h"
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
@@ -54,7 +55,7 @@ class Viewer {
                      return system.presents(*context.instance(), candidate, queueFamily);
                  }),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          scenes(options.scene, options.settings), splitView(device) {
+          scenes(options.scene, options.settings), keptPictures(device), splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -99,8 +100,7 @@ class Viewer {
                 continue;
             }
             state.size = presenter.size();
-            const Settings settingsBefore = state.settings;
-            const ViewCamera cameraBefore = state.camera;
+            const KeptView before{state.camera, state.settings};
             controls.apply(input, window, seconds, state);
             keepStep();
             if (!isSavingMarch) {
@@ -112,9 +112,11 @@ class Viewer {
             play(seconds);
             playMarch(seconds);
             fitHeat();
-            follow(settingsBefore, cameraBefore);
+            followOrShow(before);
             if (state.scene) {
-                state.history.follow(state.camera, seconds);
+                if (!isKeptShown()) {
+                    state.history.follow(state.camera, seconds);
+                }
                 drawOverlay(state);
                 readOut();
                 drawReadOut(state);
@@ -128,6 +130,7 @@ class Viewer {
             }
             presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
                 splitView.paint(commands, screen, state.settings.splitAt);
+                keptPictures.paint(commands, screen, state.kept.shown());
             });
             saveWindow();
             splitView.measure(state.statistics);
@@ -158,6 +161,7 @@ class Viewer {
             return;
         }
         state.busy.clear();
+        showKept(Shown::present);
         if (!answer->scene) {
             if (isFirstMissing()) {
                 throw *answer->refusal;
@@ -206,6 +210,7 @@ class Viewer {
         if (isOther) {
             recentFiles.add(state.file);
             state.history.start(camera);
+            state.kept.forget();
             state.playback.isPlaying = false;
         }
         if (isFirst && options.hasTour) {
@@ -257,7 +262,7 @@ class Viewer {
     void play(const double seconds) {
         Playback& playback = state.playback;
         sincePose = playback.isPlaying ? sincePose + seconds : 0.0;
-        if (!playback.isPlaying || !state.scene || scenes.isBusy()) {
+        if (!playback.isPlaying || !state.scene || scenes.isBusy() || isKeptShown()) {
             return;
         }
         const double length = state.scene->whole->animationSeconds();
@@ -289,6 +294,8 @@ class Viewer {
     void act(const Action action) {
         if (action == Action::printCamera) {
             printCamera();
+        } else if (action == Action::keepA || action == Action::keepB) {
+            keep(action == Action::keepA ? Shown::a : Shown::b);
         } else if (action == Action::saveScreenshot) {
             save(".png");
         } else if (action == Action::saveWindow) {
@@ -312,6 +319,10 @@ class Viewer {
     }
 
     void save(const char* const ending) {
+        if (isKeptShown()) {
+            saveKept(ending);
+            return;
+        }
         if (splitView.isEmpty() || !state.busy.empty()) {
             state.say("the picture is on its way: save it when it is there");
             return;
@@ -319,6 +330,19 @@ class Viewer {
         try {
             state.say(saver.save(splitView.progressive(), splitView.shown(), splitView.leftTraversal(), state,
                                  ending, chosenDenoiser()));
+        } catch (const Error& error) {
+            state.say(error.what());
+        }
+    }
+
+    void saveKept(const std::string& ending) {
+        if (ending != ".png") {
+            state.say("of a kept view there is no film: go back with Esc, or save its picture");
+            return;
+        }
+        const KeptPictures::Picture picture = keptPictures.picture(state.kept.shown());
+        try {
+            state.say("saved " + saver.saveWindow(picture.pixels, picture.size, state.file.stem().string()));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -350,7 +374,7 @@ class Viewer {
     void fitHeat() {
         const Settings& settings = state.settings;
         const bool isHeat = settings.view && isHeatMap(*settings.view) && settings.isHeatFitted;
-        if (!isHeat || isHeatKnown || isStale || splitView.isEmpty() ||
+        if (!isHeat || isHeatKnown || isStale || isKeptShown() || splitView.isEmpty() ||
             splitView.shown().view != settings.view || !splitView.progressive().isWhole()) {
             return;
         }
@@ -369,7 +393,7 @@ class Viewer {
         }
         const glm::uvec2 pixel(state.cursor);
         state.readOut = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
-        if (!splitView.isEmpty() && !state.settings.view) {
+        if (!splitView.isEmpty() && !state.settings.view && !isKeptShown()) {
             const ProgressiveImage& film = splitView.progressive();
             const glm::uvec2 place(pixelUnder(pixel.x, film.size().x, state.size.x),
                                    pixelUnder(pixel.y, film.size().y, state.size.y));
@@ -377,6 +401,48 @@ class Viewer {
         }
         std::ranges::move(hitLines(*state.scene, state.traced(), glm::vec2(pixel) + 0.5f),
                           std::back_inserter(state.readOut));
+    }
+
+    // --- A and B ---
+
+    bool isKeptShown() const { return state.kept.shown() != Shown::present; }
+
+    void keep(const Shown slot) {
+        if (!isKeptShown() && !splitView.isShown()) {
+            state.say("the picture is on its way: keep it when it is there");
+            return;
+        }
+        try {
+            keptPictures.keep(slot, state.size);
+            state.kept.keep(slot, {state.camera, state.settings});
+            state.say(fmt::format("kept as {}", nameOf(slot)));
+        } catch (const Error& error) {
+            state.say(error.what());
+        }
+    }
+
+    void showKept(const Shown wanted) {
+        if (wanted == state.kept.shown()) {
+            return;
+        }
+        const KeptView next = state.kept.show(wanted, {state.camera, state.settings});
+        state.camera = next.camera;
+        state.settings = next.settings;
+        state.say(nameOf(wanted));
+    }
+
+    // While a kept view is shown, the present picture goes on. The first change goes on from the kept view.
+    void followOrShow(const KeptView& before) {
+        if (!isKeptShown()) {
+            follow(before.settings, before.camera);
+        } else if (!state.kept.isOf({state.camera, state.settings})) {
+            const KeptView present = state.kept.leave();
+            state.history.keep(present.camera);
+            follow(present.settings, present.camera);
+        }
+        if (const std::optional<Shown> wanted = std::exchange(state.toShow, std::nullopt)) {
+            showKept(*wanted);
+        }
     }
 
     // --- the march ---
@@ -545,7 +611,8 @@ class Viewer {
         }
         const Settings& settings = state.settings;
         const std::string seen =
-            settings.view
+            isKeptShown() ? fmt::format("{} as it was kept", nameOf(state.kept.shown()))
+            : settings.view
                 ? std::string(render::kViewNames[*settings.view].name)
                 : fmt::format("{}, {} of {} samples", nameOf(settings.path.integrator),
                               static_cast<std::uint32_t>(state.statistics.samples), settings.samples);
@@ -569,6 +636,7 @@ class Viewer {
 
     std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
+    KeptPictures keptPictures;
     SplitView splitView;    // uses the device scene and the denoiser
     double sincePose = 0.0; // seconds since an animation was posed last
     RecentFiles recentFiles;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The state that the window's parts share. Controls and panels change it, and the viewer reacts to changes.
 #pragma once
-#include "metamarch/image/tone_mapping.h"
-#include "metamarch/render/view_names.h"
 #include "metamarch/settings/render_settings.h"
+#include "metamarch/viewer/kept_views.h"
 #include "metamarch/viewer/pick.h"
 #include "metamarch/viewer/scene_loader.h"
 #include "metamarch/viewer/solid_box.h"
 #include "metamarch/viewer/view_camera.h"
 #include "metamarch/viewer/view_history.h"
+#include "metamarch/viewer/viewer_settings.h"
 
 #include <array>
 #include <chrono>
@@ -17,42 +17,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace metamarch::viewer {
-
-// Returns true if the view's colours are a heat map, whose hottest colour stands for Settings::heatMax.
-inline bool isHeatMap(const std::uint32_t view) {
-    return render::kViewNames[view].scale == render::ViewScale::count;
-}
-
-// The user's choices.
-struct Settings {
-    PathChoice path;
-    std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
-    std::string channel;               // of shownChannels(), in place of the picture; empty: none
-    float heatMax = 32.0f;             // number of steps or tests with the hottest colour
-    bool isHeatFitted = true;          // heatMax follows the picture of the left side
-    std::string traversal;
-    std::string secondTraversal; // of the right viewport; empty: there is one viewport
-    float splitAt = 0.5f;        // the split line's place, as a fraction of the window's width
-    ToneMapping tone;
-    bool isDenoised = false;
-    bool hasPreview = true;    // while the camera moves
-    bool hasFilter = true;     // of the display, while the path tracer has few samples
-    std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
-    std::uint32_t pixelFilter = kFilterBox;
-    LightChoice light;
-    ImportOptions import;
-    std::set<std::uint32_t> hiddenMeshes;
-    bool hasPanels = true;
-    bool hasReadOut = false; // of the pixel under the cursor
-    bool hasHelp = false;    // the list of keys
-
-    bool operator==(const Settings&) const = default;
-};
 
 // A request of a key or a button, to be performed once.
 enum class Action {
@@ -67,7 +35,10 @@ enum class Action {
     bottomView,
     undoView,
     redoView,
-    clearMarks,
+    clearMarks, // or back from a kept view
+    keepA,
+    keepB,
+    flipKept,
     toggleHelp,
     toggleReadOut,
     togglePlay,
@@ -159,6 +130,8 @@ struct ViewerState {
     std::vector<std::string> readOut;      // of the pixel there
     Statistics statistics;
     ViewHistory history;
+    KeptViews kept;
+    std::optional<Shown> toShow; // of them, in the next frame
     Playback playback;
 
     std::vector<Action> actions;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "metamarch/viewer/kept_pictures.h"
+
+#include "metamarch/shared/screen.h"
+#include "metamarch/vulkan/transfer.h"
+
+#include <utility>
+
+namespace metamarch::viewer {
+
+namespace {
+
+vulkan::Buffer pixelsOf(const vulkan::Device& device, const glm::uvec2 size) {
+    return {device, vulkan::BufferUse::storage, std::uint64_t{size.x} * size.y * sizeof(std::uint32_t),
+            "kept picture"};
+}
+
+} // namespace
+
+void KeptPictures::keep(const Shown slot, const glm::uvec2 size) {
+    kept_[indexOf(slot)].next = {.pixels = pixelsOf(device_, size), .size = size};
+}
+
+void KeptPictures::paint(vulkan::Commands& commands, const Screen& screen, const Shown shown) {
+    old_.reset(); // the frame that used it has been drawn
+    if (shown != Shown::present && kept_[indexOf(shown)].picture.pixels) {
+        const OnDevice& picture = kept_[indexOf(shown)].picture;
+        stretched_.record(commands, *picture.pixels, picture.size, screen);
+    }
+    for (Kept& kept : kept_) {
+        if (!kept.next.pixels) {
+            continue;
+        }
+        if (kept.next.size != screen.size) { // the window's size has changed since keep()
+            kept.next = {.pixels = pixelsOf(device_, screen.size), .size = screen.size};
+        }
+        commands.copy(screen.pixels, 0, *kept.next.pixels, 0, kept.next.pixels->size());
+        kept.next.isBlueFirst = screen.isBlueFirst;
+        old_ = std::exchange(kept.picture, std::exchange(kept.next, {})).pixels;
+    }
+}
+
+KeptPictures::Picture KeptPictures::picture(const Shown slot) const {
+    const OnDevice& kept = kept_[indexOf(slot)].picture;
+    Picture result{vulkan::download<std::uint32_t>(device_, *kept.pixels), kept.size};
+    if (kept.isBlueFirst) {
+        for (std::uint32_t& pixel : result.pixels) {
+            pixel = withBlueFirst(pixel);
+        }
+    }
+    return result;
+}
+
+} // namespace metamarch::viewer

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The pictures of KeptViews, as the window showed them, without panels and lines. To show one takes no
+// tracing.
+#pragma once
+#include "metamarch/viewer/kept_views.h"
+#include "metamarch/viewer/stretched_picture.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace metamarch::viewer {
+
+class KeptPictures {
+  public:
+    explicit KeptPictures(const vulkan::Device& usedDevice) : device_(usedDevice), stretched_(usedDevice) {}
+
+    // The next paint() keeps the picture of a window of `size` pixels as A or B. Throws Error(outOfMemory).
+    void keep(Shown slot, glm::uvec2 size);
+
+    // Call it once per frame, after the present picture has been painted: lays the one that is shown over
+    // it, and then keeps what the screen has, if that is wanted.
+    void paint(vulkan::Commands& commands, const Screen& screen, Shown shown);
+
+    // Returns the pixels of A or B, which has been painted, as those of Presenter::Frame.
+    struct Picture {
+        std::vector<std::uint32_t> pixels;
+        glm::uvec2 size;
+    };
+    Picture picture(Shown slot) const;
+
+  private:
+    struct OnDevice {
+        std::optional<vulkan::Buffer> pixels; // in the screen's order of channels
+        glm::uvec2 size{0};
+        bool isBlueFirst = false;
+    };
+    struct Kept {
+        OnDevice picture;
+        OnDevice next; // is to replace it
+    };
+    static std::size_t indexOf(Shown slot) { return slot == Shown::b ? 1 : 0; }
+
+    const vulkan::Device& device_;
+    StretchedPicture stretched_;
+    std::array<Kept, kKeptSlots.size()> kept_;
+    std::optional<vulkan::Buffer> old_; // of the frame that may still be drawn
+};
+
+} // namespace metamarch::viewer
