@@ -36,7 +36,7 @@ class DisplayFilter {
     bool isWorking() const { return stage < stages.size() && size.x > 0; }
     void stop() { size = {}; }
 
-    // Writes the result into the picture. Nothing may be filtered meanwhile.
+    // Writes the result into the picture, of which alpha stays. Nothing may be filtered meanwhile.
     void show(vulkan::Commands& commands, const ToneMapping& tone) const;
 
   private:

@@ -2,28 +2,32 @@
 #include "metamarch/viewer/denoised_picture.h"
 
 #include "metamarch/render/picture.h"
-#include "metamarch/shared/packed_pixel.h"
+#include "metamarch/shared/backdrop.h"
 
 #include <chrono>
 #include <utility>
 
 namespace metamarch::viewer {
-namespace {
 
-std::vector<glm::vec3> filtered(const Denoiser& denoiser, FilmData film, const glm::uvec2 size) {
+std::vector<DenoisedPicture::Pixel> DenoisedPicture::denoise(const Denoiser& denoiser, FilmData film,
+                                                             const glm::uvec2 size) {
     render::RenderResult result;
     result.settings.channels = chooseAovs({}, AovWriter::pathTracer);
     result.size = size;
     result.area = {0, 0, size.x, size.y};
     result.film = std::move(film);
-    return colorsIn(render::imageOf(result, &denoiser), "R");
+    const std::vector<glm::vec3> colors = colorsIn(render::imageOf(result, &denoiser), "R");
+    std::vector<Pixel> pixels;
+    pixels.reserve(colors.size());
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        pixels.push_back({colors[i], coverage(result.film.pixels[i])});
+    }
+    return pixels;
 }
-
-} // namespace
 
 void DenoisedPicture::clear() {
     isOfOtherPicture = work.valid();
-    radiance.clear();
+    done.clear();
     samplesBegun = 0.0;
 }
 
@@ -35,7 +39,7 @@ bool DenoisedPicture::wants(const double samples, const bool isLast) const {
 void DenoisedPicture::begin(const Denoiser& denoiser, FilmData film, const glm::uvec2 size,
                             const double samples) {
     samplesBegun = samples;
-    work = std::async(std::launch::async, filtered, std::cref(denoiser), std::move(film), size);
+    work = std::async(std::launch::async, denoise, std::cref(denoiser), std::move(film), size);
 }
 
 bool DenoisedPicture::take() {
@@ -43,19 +47,19 @@ bool DenoisedPicture::take() {
         return false;
     }
     const bool isWanted = !std::exchange(isOfOtherPicture, false);
-    std::vector<glm::vec3> result = work.get();
+    std::vector<Pixel> result = work.get();
     if (!isWanted) {
         return false;
     }
-    radiance = std::move(result);
+    done = std::move(result);
     return true;
 }
 
 std::vector<std::uint32_t> DenoisedPicture::pixels(const ToneMapping& tone) const {
     std::vector<std::uint32_t> packed;
-    packed.reserve(radiance.size());
-    for (const glm::vec3& color : radiance) {
-        packed.push_back(packedLinear(toneMapped(tone, color)));
+    packed.reserve(done.size());
+    for (const Pixel& pixel : done) {
+        packed.push_back(withCoverage(packedLinear(toneMapped(tone, pixel.radiance)), pixel.coverage));
     }
     return packed;
 }

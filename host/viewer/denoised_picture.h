@@ -28,15 +28,21 @@ class DenoisedPicture {
 
     // Takes the result, if there is one. Returns true if it is new. Throws what Denoiser throws.
     bool take();
-    bool isEmpty() const { return radiance.empty(); }
+    bool isEmpty() const { return done.empty(); }
 
     // Returns packed pixels (shared/packed_pixel.h) in rows from the top.
     std::vector<std::uint32_t> pixels(const ToneMapping& tone) const;
 
   private:
-    std::future<std::vector<glm::vec3>> work;
+    struct Pixel {
+        glm::vec3 radiance;
+        float coverage;
+    };
+    static std::vector<Pixel> denoise(const Denoiser& denoiser, FilmData film, glm::uvec2 size);
+
+    std::future<std::vector<Pixel>> work;
     bool isOfOtherPicture = false; // what the thread works at
-    std::vector<glm::vec3> radiance;
+    std::vector<Pixel> done;
     double samplesBegun = 0.0; // of the film that was begun last
 };
 

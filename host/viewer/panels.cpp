@@ -152,6 +152,24 @@ void drawLight(LightChoice& light, SettingList& controls, const bool sceneHasLig
     }
 }
 
+void drawBackdrop(Settings& settings) {
+    using Kind = BackdropChoice::Kind;
+    constexpr const char* kKinds[] = {"the surroundings", "nothing", "a colour", "blurred surroundings"};
+    int kind = static_cast<int>(settings.backdrop.kind);
+    if (ImGui::Combo("behind the scene", &kind, kKinds, IM_ARRAYSIZE(kKinds))) {
+        settings.backdrop.kind = static_cast<Kind>(kind);
+        settings.path.isTransparent = settings.backdrop.kind != Kind::surroundings;
+    }
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s",
+                          "The light stays the same. Over nothing, P saves a transparent picture; Ctrl+S "
+                          "saves a transparent film over all but the surroundings.");
+    }
+    if (settings.backdrop.kind == Kind::solid) {
+        ImGui::ColorEdit3("colour", &settings.backdrop.color.x);
+    }
+}
+
 void drawRenderer(ViewerState& state) {
     Settings& settings = state.settings;
     drawViewChoice(settings);
@@ -170,6 +188,7 @@ void drawRenderer(ViewerState& state) {
         drawSetting(setting);
     }
     drawLight(settings.light, state.lightControls, state.scene && state.scene->hasLight);
+    drawBackdrop(settings);
 }
 
 void drawCamera(ViewerState& state) {

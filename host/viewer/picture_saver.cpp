@@ -4,6 +4,7 @@
 #include "metamarch/error/error.h"
 #include "metamarch/image/image_file.h"
 #include "metamarch/render/picture.h"
+#include "metamarch/shared/backdrop.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,19 @@ Image imageOf(const std::vector<std::uint32_t>& packed, const glm::uvec2 size) {
     return image;
 }
 
+// Returns packed pixels.
+std::vector<std::uint32_t> overBackdrop(const render::RenderResult& result, const Denoiser* const denoiser,
+                                        const ToneMapping& tone, const Backdrop& backdrop) {
+    const std::vector<glm::vec3> colors = colorsIn(render::imageOf(result, denoiser), "R");
+    std::vector<std::uint32_t> pixels(colors.size());
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+        const std::uint32_t own =
+            withCoverage(packedLinear(toneMapped(tone, colors[i])), coverage(result.film.pixels[i]));
+        pixels[i] = backdrop.under(own, {i % result.size.x, i / result.size.x}, result.size);
+    }
+    return pixels;
+}
+
 } // namespace
 
 PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedDevice)
@@ -48,7 +62,8 @@ PictureSaver::PictureSaver(std::string usedSoftware, const vulkan::Device& usedD
 
 std::string PictureSaver::save(const ProgressiveImage& progressive, const RenderRequest& request,
                                const std::string& traversal, const ViewerState& state,
-                               const std::string& ending, const Denoiser* const denoiser) const {
+                               const std::string& ending, const Denoiser* const denoiser,
+                               const Backdrop& backdrop) const {
     if (!progressive.isWhole()) {
         throw Error(ErrorKind::invalidArgument, "parts of the picture are still empty: save it in a moment");
     }
@@ -72,11 +87,19 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.driver = device.report().driverInfo;
     result.traversal = traversal;
     result.seconds.render = progressive.seconds();
+    std::string saved =
+        fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
+    using Kind = BackdropChoice::Kind;
+    const Kind behind = state.settings.backdrop.kind;
+    if (ending == ".png" && (behind == Kind::solid || behind == Kind::blurred)) {
+        writeImage(imageOf(overBackdrop(result, denoiser, state.settings.tone, backdrop), result.size), name);
+        return saved;
+    }
     const render::PictureOrigin origin{
         .software = software, .sceneFile = file.string(), .camera = request.camera, .lens = request.lens};
     render::writePicture(result, origin,
                          {.path = name, .toneMapping = state.settings.tone, .denoiser = denoiser});
-    return fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
+    return saved;
 }
 
 std::string PictureSaver::saveWindow(const std::vector<std::uint32_t>& pixels, const glm::uvec2 size,

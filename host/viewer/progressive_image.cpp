@@ -237,6 +237,9 @@ void ProgressiveImage::record(vulkan::Commands& commands) {
         unresolved.clear();
     }
     if (showsFiltered() && !isFilterShown && !filter->isWorking()) {
+        if (request.settings.strategies & kHideSurroundings) { // the filter leaves alpha as it is
+            path->resolver.resolve(commands, path->tracer.begunTiles(), pictureSize, tone);
+        }
         filter->show(commands, tone);
         isFilterShown = true;
     }
@@ -251,11 +254,11 @@ const vulkan::Buffer& ProgressiveImage::picture() const {
 }
 
 std::vector<std::uint32_t> ProgressiveImage::shownPixels() const {
-    if (request.view) {
-        return inspector->download();
-    }
     std::vector<std::uint32_t> pixels(std::size_t{pictureSize.x} * pictureSize.y);
     vulkan::read(device, picture(), 0, std::as_writable_bytes(std::span(pixels)));
+    for (std::uint32_t& pixel : pixels) {
+        pixel |= 0xff000000u;
+    }
     return pixels;
 }
 

@@ -83,7 +83,7 @@ class ProgressiveImage {
     FilmPixel filmPixel(glm::uvec2 place) const;
     // Returns the film. Only for the path tracer's picture.
     FilmData film() const;
-    // Returns the packed pixels that are shown, in rows from the top.
+    // Returns the packed pixels that are shown, opaque, in rows from the top.
     std::vector<std::uint32_t> shownPixels() const;
 
   private:

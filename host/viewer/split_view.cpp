@@ -24,11 +24,11 @@ bool SplitView::areOf(const std::vector<std::string>& traversals, const glm::uve
 }
 
 void SplitView::make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
-                     const glm::uvec2 windowSize, const ShaderOverrides& shaders) {
+                     const glm::uvec2 windowSize, const ShaderOverrides& shaders, const Backdrop& backdrop) {
     clear();
     size = windowSize;
     for (const std::string& name : traversals) {
-        viewports.push_back(std::make_unique<Viewport>(device, scene, name, size, shaders));
+        viewports.push_back(std::make_unique<Viewport>(device, scene, name, size, shaders, backdrop));
     }
 }
 

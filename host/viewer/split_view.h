@@ -20,10 +20,10 @@ class SplitView {
     bool areOf(const std::vector<std::string>& traversals, glm::uvec2 windowSize) const;
 
     // Creates one viewport for each traversal, from left to right. Neither make() nor clear() may be called
-    // while the device draws a frame of paint(): see Presenter::wait. Scene and shaders must outlive the
-    // viewports. Throws what Viewport throws.
+    // while the device draws a frame of paint(): see Presenter::wait. Scene, shaders and backdrop must
+    // outlive the viewports. Throws what Viewport throws.
     void make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
-              glm::uvec2 windowSize, const ShaderOverrides& shaders);
+              glm::uvec2 windowSize, const ShaderOverrides& shaders, const Backdrop& backdrop);
     void clear();
 
     void start(const RenderRequest& request);

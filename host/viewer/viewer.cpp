@@ -8,6 +8,7 @@
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shared/screen.h"
 #include "metamarch/viewer/actions.h"
+#include "metamarch/viewer/backdrop.h"
 #include "metamarch/viewer/controls.h"
 #include "metamarch/viewer/heat_range.h"
 #include "metamarch/viewer/kept_pictures.h"
@@ -55,7 +56,7 @@ class Viewer {
                      return system.presents(*context.instance(), candidate, queueFamily);
                  }),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          scenes(options.scene, options.settings), keptPictures(device), splitView(device) {
+          scenes(options.scene, options.settings), keptPictures(device), backdrop(device), splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -329,7 +330,7 @@ class Viewer {
         }
         try {
             state.say(saver.save(splitView.progressive(), splitView.shown(), splitView.leftTraversal(), state,
-                                 ending, chosenDenoiser()));
+                                 ending, chosenDenoiser(), backdrop));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -524,8 +525,9 @@ class Viewer {
                 if (shaders.lacks(state.traversals())) {
                     compileShaders();
                 }
-                splitView.make(*deviceScene, state.traversals(), state.size, shaders.overrides());
+                splitView.make(*deviceScene, state.traversals(), state.size, shaders.overrides(), backdrop);
             }
+            backdrop.follow(now.backdrop, state.scene->shown.shading, state.traced(), now.tone);
             splitView.setTone(now.tone);
             splitView.setDenoiser(chosenDenoiser());
             splitView.setFilter(now.hasFilter);
@@ -637,7 +639,8 @@ class Viewer {
     std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
     KeptPictures keptPictures;
-    SplitView splitView;    // uses the device scene and the denoiser
+    Backdrop backdrop;
+    SplitView splitView;    // uses the device scene, the denoiser and the backdrop
     double sincePose = 0.0; // seconds since an animation was posed last
     RecentFiles recentFiles;
     bool isFileGone = false;

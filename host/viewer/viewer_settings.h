@@ -17,6 +17,15 @@ inline bool isHeatMap(const std::uint32_t view) {
     return render::kViewNames[view].scale == render::ViewScale::count;
 }
 
+// What the camera sees behind the scene. Light comes from the surroundings all the same.
+struct BackdropChoice {
+    enum class Kind { surroundings, off, solid, blurred };
+    Kind kind = Kind::surroundings;
+    glm::vec3 color{1.0f}; // of a solid one, in sRGB as the screen shows it
+
+    bool operator==(const BackdropChoice&) const = default;
+};
+
 struct Settings {
     PathChoice path;
     std::optional<std::uint32_t> view; // kView…; none: the path tracer's picture
@@ -33,6 +42,7 @@ struct Settings {
     std::uint32_t samples = 1; // of each pixel, after which the path tracer stops
     std::uint32_t pixelFilter = kFilterBox;
     LightChoice light;
+    BackdropChoice backdrop; // path.isTransparent follows its kind
     ImportOptions import;
     std::set<std::uint32_t> hiddenMeshes;
     bool hasPanels = true;

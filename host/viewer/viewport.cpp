@@ -2,6 +2,7 @@
 #include "metamarch/viewer/viewport.h"
 
 #include "metamarch/render/kernel.h"
+#include "metamarch/shared/backdrop.h"
 #include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
@@ -44,13 +45,15 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
 } // namespace
 
 Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scene,
-                   const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders)
+                   const std::string& traversal, const glm::uvec2 size, const ShaderOverrides& shaders,
+                   const Backdrop& usedBackdrop)
     : name(traversal), fineSize(fittingSize(device, size)),
       coarse(device, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
       sharp(device, scene, traversal, fineSize, shaders), fine(device, scene, traversal, fineSize, shaders),
       presenting(render::makeKernel(device, "present",
-                                    {.storageBindings = {kBindInput, kBindCoarse, kBindOutput},
-                                     .pushConstantSize = sizeof(PresentPush)})) {}
+                                    {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
+                                     .pushConstantSize = sizeof(PresentPush)})),
+      backdrop(usedBackdrop) {}
 
 void Viewport::start(const RenderRequest& request, const double seconds) {
     const double pixels = static_cast<double>(fineSize.x) * fineSize.y;
@@ -61,6 +64,7 @@ void Viewport::start(const RenderRequest& request, const double seconds) {
                                                                 : *fitting;
     RenderRequest quick = request;
     quick.endSample = 1;
+    hasBackdrop = !request.view;
     hasPreview = request.hasPreview && !request.view;
     if (hasPreview) {
         quick.view = kViewHeadlight;
@@ -103,10 +107,13 @@ void Viewport::record(vulkan::Commands& commands, const Screen& screen, const st
     }
     presenting.bind(kBindInput, upper.picture());
     presenting.bind(kBindCoarse, lower.picture());
+    presenting.bind(kBindBackdrop, backdrop.texels());
     presenting.bind(kBindOutput, screen.pixels);
+    const glm::uvec2 texels = hasBackdrop ? backdrop.size() : glm::uvec2(0);
     commands.dispatch(presenting, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
                       PresentPush{screen.size.x, screen.size.y, first, end, upper.size().x, upper.size().y,
-                                  lower.size().x, lower.size().y, screen.isBlueFirst ? 1u : 0u});
+                                  lower.size().x, lower.size().y, screen.isBlueFirst ? 1u : 0u, texels.x,
+                                  texels.y});
 }
 
 } // namespace metamarch::viewer

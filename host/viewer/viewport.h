@@ -3,6 +3,7 @@
 // preview, the coarse picture and a sharp one between the two are of the view `headlight`, which has no
 // noise.
 #pragma once
+#include "metamarch/viewer/backdrop.h"
 #include "metamarch/viewer/progressive_image.h"
 #include "metamarch/viewer/screen.h"
 
@@ -13,9 +14,9 @@ namespace metamarch::viewer {
 
 class Viewport {
   public:
-    // `size` is that of the window, in pixels.
+    // `size` is that of the window, in pixels. `backdrop` must outlive it.
     Viewport(const vulkan::Device& device, const render::DeviceScene& scene, const std::string& traversal,
-             glm::uvec2 size, const ShaderOverrides& shaders);
+             glm::uvec2 size, const ShaderOverrides& shaders, const Backdrop& backdrop);
 
     // Begins a new picture. The size of the coarse picture is such that it takes the device about `seconds`.
     void start(const RenderRequest& request, double seconds);
@@ -45,6 +46,8 @@ class Viewport {
     ProgressiveImage sharp; // the preview at the size of the fine picture
     ProgressiveImage fine;
     vulkan::ComputePipeline presenting; // the kernel `present`
+    const Backdrop& backdrop;
+    bool hasBackdrop = false; // behind the picture; a view that is chosen has none
     bool hasPreview = false;
     double secondsPerPixel = 0.0; // of the last whole coarse picture; 0: there was none
 };

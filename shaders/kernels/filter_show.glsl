@@ -5,7 +5,7 @@
 #include "shared/tone_mapping.h"
 
 layout(std430, binding = kBindFilterTo) readonly buffer AfterBuffer { FilterLight after[]; };
-layout(std430, binding = kBindOutput) writeonly buffer PictureBuffer { uint picture[]; };
+layout(std430, binding = kBindOutput) buffer PictureBuffer { uint picture[]; };
 
 void main() {
     const ivec2 pixel = filteredPixel();
@@ -14,5 +14,6 @@ void main() {
     }
     const uint i = indexOf(pixel);
     const vec3 radiance = filteredRadiance(surfaces[i], from[i], after[i], push.kept);
-    picture[i] = packedLinear(toneMapped(push.toneOperator, push.scale, radiance));
+    const uint shown = packedLinear(toneMapped(push.toneOperator, push.scale, radiance));
+    picture[i] = (shown & 0xffffffu) | (picture[i] & 0xff000000u); // the part that is covered stays
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Converts the radiance of some tiles of a film to 8 bits per channel, one invocation per pixel.
 #include "lib/tiles.glsl"
+#include "shared/backdrop.h"
 #include "shared/film.h"
-#include "shared/packed_pixel.h"
 #include "shared/screen.h"
 #include "shared/tone_mapping.h"
 
@@ -20,5 +20,6 @@ void main() {
     const uint index = (place - push.bandPlace) * kTilePixels + gl_LocalInvocationIndex;
     const FilmPixel sum = addPixel(total[index], film[index]);
     const vec3 shown = toneMapped(push.toneOperator, push.scale, meanRadiance(sum));
-    picture[pixel.y * push.width + pixel.x] = sum.samples == 0u ? 0u : packedLinear(shown);
+    picture[pixel.y * push.width + pixel.x] =
+        sum.samples == 0u ? 0u : withCoverage(packedLinear(shown), coverage(sum));
 }

@@ -108,6 +108,11 @@ SHARED_FN vec3 meanRadiance(const FilmPixel pixel) {
     return pixel.radiance / float(max(pixel.samples - pixel.rejected, 1u));
 }
 
+// Returns the part of the pixel that something covers, from 0 to 1.
+SHARED_FN float coverage(const FilmPixel pixel) {
+    return pixel.covered / float(max(pixel.samples - pixel.rejected, 1u));
+}
+
 // The light of samples in parts. The film has these sums only if kFilmLight is asked.
 //
 // emission, direct and indirect are the radiance, by the number of surfaces that scattered the light. A

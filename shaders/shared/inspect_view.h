@@ -43,7 +43,7 @@ struct InspectPush {
 };
 
 // Colours in the format of packedPixel.
-const uint kMissColor = 0xff2b2725u;       // the ray met nothing
+const uint kMissColor = 0x012b2725u;       // the ray met nothing; its alpha is kUncovered (backdrop.h)
 const uint kUnfinishedColor = 0xffff00ffu; // the driver ended the trace: there is no result
 
 // The result of tracing a camera ray.

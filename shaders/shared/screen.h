@@ -8,7 +8,7 @@
 SHARED_BEGIN
 
 // The pictures of both kernels have one word per pixel, in rows from the top; the channels from the lowest
-// byte up are red, green, blue and alpha. Alpha is 0 where there is nothing to show yet.
+// byte up are red, green, blue and alpha, which is that of backdrop.h: 0 where there is nothing to show yet.
 const uint kBindCoarse = 45u; // `present`'s binding of the lower picture
 
 const uint kScreenTile = 64u; // pixels of a row that one workgroup of `present` writes
@@ -33,7 +33,9 @@ struct PresentPush {
     uint fineHeight;
     uint coarseWidth; // of the lower picture, which is visible where the upper one is empty
     uint coarseHeight;
-    uint isBlueFirst; // 1 if the screen's lowest byte is blue
+    uint isBlueFirst;     // 1 if the screen's lowest byte is blue
+    uint backdropColumns; // texels of the backdrop; 0: the pictures have their own
+    uint backdropRows;
 };
 
 // Returns the pixel of a picture with `size` pixels that lies under pixel `i` of a screen with `screen`
@@ -45,7 +47,7 @@ SHARED_FN uint withBlueFirst(const uint pixel) {
 }
 
 SHARED_ASSERT_SIZE(ResolvePush, 40)
-SHARED_ASSERT_SIZE(PresentPush, 36)
+SHARED_ASSERT_SIZE(PresentPush, 44)
 
 SHARED_END
 #endif

@@ -197,7 +197,10 @@ class DisplayFilter : public testing::Test {
         while (!filter.advance(1e-3)) {
         }
         EXPECT_FALSE(filter.isWorking());
-        vulkan::Submission(device).run([&](vulkan::Commands& commands) { filter.show(commands, tone); });
+        vulkan::Submission(device).run([&](vulkan::Commands& commands) {
+            commands.fill(picture, 0xff000000u);
+            filter.show(commands, tone);
+        });
         return vulkan::download<std::uint32_t>(device, picture);
     }
 

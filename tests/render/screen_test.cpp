@@ -9,6 +9,8 @@
 #include "metamarch/render/resolver.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shading/shading.h"
+#include "metamarch/shared/backdrop.h"
+#include "metamarch/shared/inspect_view.h"
 #include "metamarch/shared/packed_pixel.h"
 #include "metamarch/shared/primary.h"
 #include "metamarch/shared/screen.h"
@@ -128,7 +130,8 @@ TEST_F(GrowingFilm, isTheSameInBands) {
         });
         const auto shown = vulkan::download<std::uint32_t>(vulkan::testDevice(), resolver.picture());
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            ASSERT_EQ(shown[i], packedLinear(toneMapped({}, meanRadiance(expected[i])))) << "pixel " << i;
+            const std::uint32_t own = packedLinear(toneMapped({}, meanRadiance(expected[i])));
+            ASSERT_EQ(shown[i], withCoverage(own, coverage(expected[i]))) << "pixel " << i;
         }
     }
 }
@@ -304,7 +307,9 @@ TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
             const auto shown = vulkan::download<std::uint32_t>(vulkan::testDevice(), resolver.picture());
             for (std::size_t i = 0; i < film.size(); ++i) {
                 const std::uint32_t expected =
-                    film[i].samples == 0 ? 0u : packedLinear(toneMapped(tone, meanRadiance(film[i])));
+                    film[i].samples == 0 ? 0u
+                                         : withCoverage(packedLinear(toneMapped(tone, meanRadiance(film[i]))),
+                                                        coverage(film[i]));
                 ASSERT_EQ(shown[i], expected) << known.name << ", pixel " << i;
             }
         }
@@ -312,6 +317,14 @@ TEST_F(GrowingFilm, becomesTheBytesOfAPng) {
             one.advance(100, 1, render::WorkSize::kTargetSeconds);
         }
     }
+}
+
+vec3 backdropAt(const std::vector<glm::vec4>& texels, const PresentPush& push, const std::uint32_t x,
+                const std::uint32_t y) {
+    const BackdropPlace place =
+        backdropPlace(x, y, push.width, push.height, push.backdropColumns, push.backdropRows);
+    return backdropBetween(vec3(texels[place.upperLeft]), vec3(texels[place.upperRight]),
+                           vec3(texels[place.lowerLeft]), vec3(texels[place.lowerRight]), place);
 }
 
 class Presented : public testing::TestWithParam<PresentPush> {};
@@ -323,7 +336,8 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
         std::vector<std::uint32_t> pixels(std::size_t{width} * height);
         for (std::uint32_t& pixel : pixels) {
             const auto color = static_cast<std::uint32_t>(random());
-            pixel = hasHoles && random() % 3 == 0 ? 0u : color | 0xff000000u;
+            const bool isPart = random() % 2 == 0;
+            pixel = hasHoles && random() % 3 == 0 ? 0u : isPart ? color | 0x01000000u : color | 0xff000000u;
         }
         return pixels;
     };
@@ -336,9 +350,16 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
     const vulkan::Buffer fineBuffer = vulkan::upload(device, std::span(fine), "fine");
     const vulkan::Buffer coarseBuffer = vulkan::upload(device, std::span(coarse), "coarse");
     const vulkan::Buffer screen = vulkan::upload(device, std::span(before), "screen");
-    vulkan::ComputePipeline kernel = render::makeKernel(
-        device, "present",
-        {.storageBindings = {kBindInput, kBindCoarse, kBindOutput}, .pushConstantSize = sizeof(PresentPush)});
+    vulkan::ComputePipeline kernel =
+        render::makeKernel(device, "present",
+                           {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
+                            .pushConstantSize = sizeof(PresentPush)});
+    std::vector<glm::vec4> backdrop(std::max(push.backdropColumns * push.backdropRows, 1u));
+    for (glm::vec4& texel : backdrop) {
+        texel = glm::vec4(random() % 256, random() % 256, random() % 256, 0) / 255.0f;
+    }
+    const vulkan::Buffer backdropBuffer = vulkan::upload(device, std::span(backdrop), "backdrop");
+    kernel.bind(kBindBackdrop, backdropBuffer);
     kernel.bind(kBindInput, fineBuffer);
     kernel.bind(kBindCoarse, coarseBuffer);
     kernel.bind(kBindOutput, screen);
@@ -354,7 +375,10 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
                 fine[y * push.fineHeight / push.height * push.fineWidth + x * push.fineWidth / push.width];
             const std::uint32_t under = coarse[y * push.coarseHeight / push.height * push.coarseWidth +
                                                x * push.coarseWidth / push.width];
-            const std::uint32_t seen = over == 0u ? under : over;
+            const std::uint32_t top = over == 0u ? under : over;
+            const std::uint32_t seen =
+                0xff000000u |
+                (push.backdropColumns == 0u ? top : overBackdrop(top, backdropAt(backdrop, push, x, y)));
             const std::uint32_t ordered =
                 push.isBlueFirst == 0u
                     ? seen
@@ -366,12 +390,50 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
 }
 
 // The cases are the whole window at its own size, parts of it as in a split view, and a film that is smaller
-// than the window.
+// than the window. With a backdrop of one texel, and of several.
 INSTANTIATE_TEST_SUITE_P(Screen, Presented,
-                         testing::Values(PresentPush{130, 21, 0, 130, 130, 21, 65, 11, 0},
-                                         PresentPush{130, 21, 0, 57, 130, 21, 9, 2, 1},
-                                         PresentPush{130, 21, 57, 130, 130, 21, 9, 2, 1},
-                                         PresentPush{101, 67, 0, 101, 51, 34, 7, 5, 1}));
+                         testing::Values(PresentPush{130, 21, 0, 130, 130, 21, 65, 11, 0, 0, 0},
+                                         PresentPush{130, 21, 0, 57, 130, 21, 9, 2, 1, 0, 0},
+                                         PresentPush{130, 21, 57, 130, 130, 21, 9, 2, 1, 0, 0},
+                                         PresentPush{101, 67, 0, 101, 51, 34, 7, 5, 1, 0, 0},
+                                         PresentPush{130, 21, 0, 130, 130, 21, 65, 11, 0, 1, 1},
+                                         PresentPush{130, 21, 57, 130, 130, 21, 9, 2, 1, 9, 5}));
+
+TEST(Backdrop, isSeenWhereNothingCoversAPixel) {
+    const vec3 blue(0.1f, 0.2f, 0.7f);
+    const std::uint32_t own = packedLinear({0.5f, 0.25f, 0.0f});
+    EXPECT_EQ(overBackdrop(withCoverage(own, 1.0f), blue), own);
+    EXPECT_EQ(overBackdrop(withCoverage(own, 0.0f), blue), packedLinear(blue));
+    EXPECT_EQ(overBackdrop(0u, blue), packedLinear(blue)); // nothing is known yet
+    EXPECT_EQ(overBackdrop(kMissColor, blue), packedLinear(blue));
+    const std::uint32_t half = overBackdrop(withCoverage(own, 0.5f), blue);
+    EXPECT_EQ(half, packedLinear(vec3(0.5f, 0.25f, 0.0f) + 0.5f * blue));
+    EXPECT_EQ(withCoverage(own, -3.0f) >> 24u, 1u);
+    EXPECT_EQ(withCoverage(own, 3.0f) >> 24u, 255u);
+}
+
+TEST(Backdrop, invertsTheCurveOfAScreen) {
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        const std::uint32_t grey = byte * 0x010101u | 0xff000000u;
+        EXPECT_EQ(packedLinear(linearOf(grey)), grey);
+    }
+}
+
+TEST(Backdrop, liesBetweenItsTexels) {
+    const BackdropPlace first =
+        backdropPlace(0, 0, 100, 50, 4, 2); // nearer to the edge than a texel's centre
+    EXPECT_EQ(first.upperLeft, 0u);
+    EXPECT_EQ(first.right, 0.0f);
+    EXPECT_EQ(first.down, 0.0f);
+    const BackdropPlace last = backdropPlace(99, 49, 100, 50, 4, 2);
+    EXPECT_EQ(last.upperLeft, 7u);
+    EXPECT_EQ(last.lowerRight, 7u);
+    const BackdropPlace middle = backdropPlace(49, 24, 99, 49, 4, 2); // the window's middle
+    EXPECT_EQ(middle.upperLeft, 1u);
+    EXPECT_EQ(middle.lowerRight, 6u);
+    EXPECT_FLOAT_EQ(middle.right, 0.5f);
+    EXPECT_FLOAT_EQ(middle.down, 0.5f);
+}
 
 } // namespace
 } // namespace metamarch::tests

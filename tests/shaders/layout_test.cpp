@@ -222,7 +222,8 @@ const StructLayout kStructs[] = {
      sizeof(PresentPush),
      {MEMBER(PresentPush, width), MEMBER(PresentPush, height), MEMBER(PresentPush, firstColumn),
       MEMBER(PresentPush, endColumn), MEMBER(PresentPush, fineWidth), MEMBER(PresentPush, fineHeight),
-      MEMBER(PresentPush, coarseWidth), MEMBER(PresentPush, coarseHeight), MEMBER(PresentPush, isBlueFirst)}},
+      MEMBER(PresentPush, coarseWidth), MEMBER(PresentPush, coarseHeight), MEMBER(PresentPush, isBlueFirst),
+      MEMBER(PresentPush, backdropColumns), MEMBER(PresentPush, backdropRows)}},
     {"FirstHit",
      sizeof(FirstHit),
      {MEMBER(FirstHit, albedo), MEMBER(FirstHit, t), MEMBER(FirstHit, normal), MEMBER(FirstHit, triangleId),
@@ -277,7 +278,7 @@ const WordBuffer kWordBuffers[] = {
 };
 
 // The buffers whose entries are four numbers without a struct, or single words that are read four at a time.
-constexpr std::string_view kVectorBuffers[] = {"colorWordsBuffer", "tangentWordsBuffer",
+constexpr std::string_view kVectorBuffers[] = {"BackdropBuffer", "colorWordsBuffer", "tangentWordsBuffer",
                                                "metaTableWordsBuffer", "environmentWordsBuffer"};
 
 // The buffers with several members, and the struct of C++ with the same members.

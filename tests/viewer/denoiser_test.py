@@ -4,7 +4,7 @@ import ctypes
 import os
 import unittest
 
-from panel_test import BAR, CONTROL, MIDDLE
+from panel import BAR, CONTROL, MIDDLE
 from viewer import CORNELL, ViewerTest, main
 
 SWITCH = (20, 9 + 2 * BAR + 4 * CONTROL + MIDDLE)  # below view, samples, traversal and split

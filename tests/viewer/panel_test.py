@@ -3,13 +3,10 @@
 import base64
 import struct
 
-from display import LEFT
-from viewer import ViewerTest, main, triangle
+from panel import BAR, CONTROL, MIDDLE, TEXT, PanelTest
+from viewer import main, triangle
 
 SECONDS = 2.0
-# Dear ImGui's measures with its own font, in pixels.
-BAR, CONTROL, TEXT = 23, 23, 17  # the height of a section's header, of a line with a control, of a line of text
-MIDDLE = 9  # of a header or control, from its top
 
 
 def animated(path):
@@ -31,29 +28,7 @@ def animated(path):
                           "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}])
 
 
-class PanelTest(ViewerTest):
-    def sections(self, viewer):
-        """The tops of the panel's title and of its sections' headers: their bars are blue from side to side."""
-        width, height, pixels = viewer.wait_for_still()
-
-        def is_blue(x, y):
-            red, green, blue = pixels[3 * (y * width + x):3 * (y * width + x) + 3]
-            return blue > 50 and blue > 1.3 * green and blue > 1.8 * red
-
-        blue = [all(is_blue(x, y) for x in (180, 240, 300)) for y in range(height)]
-        return [y for y in range(1, height) if blue[y] and not blue[y - 1]]
-
-    @staticmethod
-    def slide(viewer, start, end):
-        """Drags slowly: the panel looks at the mouse once a frame."""
-        for step in (lambda: viewer.display.move(viewer.window, *start), lambda: viewer.display.press(LEFT),
-                     lambda: viewer.display.move(viewer.window, *end), lambda: viewer.display.release(LEFT)):
-            step()
-            viewer.settle()
-
-    def click(self, viewer, x, y):
-        self.slide(viewer, (x, y), (x, y))
-
+class ControlsTest(PanelTest):
     def test_time_and_variants(self):
         scene = self.tmp / "animated.gltf"
         animated(scene)
@@ -69,8 +44,7 @@ class PanelTest(ViewerTest):
         variant = controls + MIDDLE
         pose, time = (controls + TEXT + i * CONTROL + MIDDLE for i in (1, 2))  # below the animation's name
         self.slide(viewer, (60, time), (440, time))  # to the end and beyond
-        self.click(viewer, 60, variant)
-        self.click(viewer, 60, variant + CONTROL + 2 * TEXT)  # the third in the list
+        self.choose(viewer, variant, 2)
         viewer.wait_for_samples()
         viewer.key("Tab")
         self.assert_shows(viewer, self.render(scene, *words, "--time", str(SECONDS), "--variant", "green", size=size))
