@@ -56,11 +56,9 @@ DisplayFilter::DisplayFilter(const vulkan::Device& usedDevice, const PathTracer&
       before(pixelBuffer(usedDevice, mostPixels, "light before the filter")),
       even(pixelBuffer(usedDevice, mostPixels, "filtered light")),
       odd(pixelBuffer(usedDevice, mostPixels, "filtered light in turn")),
+      result(pixelBuffer(usedDevice, mostPixels, "filtered picture")),
       showing(boundKernel(usedDevice, "filter_show", kRowKernelPush,
-                          {{kBindFilterSurface, surfaces},
-                           {kBindFilterFrom, before},
-                           {kBindFilterTo, kFilterPasses % 2 == 0 ? even : odd},
-                           {kBindOutput, picture}})),
+                          {{kBindFilterFrom, result}, {kBindOutput, picture}})),
       submission(usedDevice), work(kMostGroups) {
     for (const DeviceFilm::Band& band : film.bands()) {
         beginning.push_back(boundKernel(device, "filter_begin", sizeof(FilterBeginPush),
@@ -84,6 +82,12 @@ DisplayFilter::DisplayFilter(const vulkan::Device& usedDevice, const PathTracer&
                                        {kBindFilterTo, pass % 2 == 0 ? odd : even}}),
                           1u << pass});
     }
+    stages.push_back({boundKernel(device, "filter_end", kRowKernelPush,
+                                  {{kBindFilterSurface, surfaces},
+                                   {kBindFilterFrom, before},
+                                   {kBindFilterTo, kFilterPasses % 2 == 0 ? even : odd},
+                                   {kBindOutput, result}}),
+                      0});
     stage = stages.size();
 }
 

@@ -36,7 +36,7 @@ class DisplayFilter {
     bool isWorking() const { return stage < stages.size() && size.x > 0; }
     void stop() { size = {}; }
 
-    // Writes the result into the picture, of which alpha stays. Nothing may be filtered meanwhile.
+    // Writes the last result into the picture, of which alpha stays, also while another one is on its way.
     void show(vulkan::Commands& commands, const ToneMapping& tone) const;
 
   private:
@@ -55,8 +55,9 @@ class DisplayFilter {
     vulkan::Buffer before;
     vulkan::Buffer even; // light after the stages in turn
     vulkan::Buffer odd;
+    vulkan::Buffer result;                          // the radiance of the picture that is shown
     std::vector<vulkan::ComputePipeline> beginning; // one for each band of the film
-    std::vector<Stage> stages;                      // variance, then the passes
+    std::vector<Stage> stages;                      // variance, the passes, the result
     vulkan::ComputePipeline showing;
     vulkan::Submission submission;
     WorkSize work; // unit: a row

@@ -180,9 +180,13 @@ void drawRenderer(ViewerState& state) {
     drawTraversals(state);
     ImGui::Checkbox("denoise", &settings.isDenoised);
     ImGui::Checkbox("preview before the picture", &settings.hasPreview);
+    ImGui::BeginDisabled(!state.filterRefusal.empty());
     ImGui::Checkbox("filter the first samples", &settings.hasFilter);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", "The film is never filtered, nor is what P and Ctrl+S save.");
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("%s", state.filterRefusal.empty()
+                                    ? "The film is never filtered, nor is what P and Ctrl+S save."
+                                    : std::string(state.filterRefusal).c_str());
     }
     for (Setting& setting : state.controls.all()) {
         drawSetting(setting);

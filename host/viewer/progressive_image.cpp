@@ -81,9 +81,15 @@ bool ProgressiveImage::advance(const double seconds) {
 }
 
 bool ProgressiveImage::isFiltered() const {
-    return hasFilter && hasRoomForFilter && denoiser == nullptr && channel.empty() && !request.view &&
-           wholeSamples() > 0 && wholeSamples() < render::DisplayFilter::kEnough && !isFinished() &&
-           render::DisplayFilter::fits(device, std::uint64_t{most.x} * most.y);
+    return hasFilter && filterRefusal().empty() && denoiser == nullptr && channel.empty() && !request.view &&
+           wholeSamples() > 0 && wholeSamples() < render::DisplayFilter::kEnough && !isFinished();
+}
+
+std::string_view ProgressiveImage::filterRefusal() const {
+    return !render::DisplayFilter::fits(device, std::uint64_t{most.x} * most.y)
+               ? "the device does not bind a kernel as much memory as so many pixels take"
+           : hasRoomForFilter ? ""
+                              : "the device lacks the memory for so many pixels";
 }
 
 // Filters the film each time that its samples have doubled. Returns false, and submits nothing, if there is
@@ -236,7 +242,7 @@ void ProgressiveImage::record(vulkan::Commands& commands) {
     if (showsDenoised() || showsChannel() || showsFiltered()) {
         unresolved.clear();
     }
-    if (showsFiltered() && !isFilterShown && !filter->isWorking()) {
+    if (showsFiltered() && !isFilterShown) {
         if (request.settings.strategies & kHideSurroundings) { // the filter leaves alpha as it is
             path->resolver.resolve(commands, path->tracer.begunTiles(), pictureSize, tone);
         }

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace metamarch::viewer {
@@ -61,6 +62,8 @@ class ProgressiveImage {
     // Filters the path tracer's first samples for the eye, until the picture is finished or has samples
     // enough. A channel or a denoiser takes precedence. Without memory for it, the picture stays as it is.
     void setFilter(bool isWanted);
+    // Says why it cannot be filtered; empty: it can, as far as is known.
+    std::string_view filterRefusal() const;
     // The name of a row of shownChannels() that replaces the path tracer's picture; empty: none does.
     void setChannel(const std::string& name);
     // Brings channel or denoised picture up to date, each time that the samples have doubled. Call it between

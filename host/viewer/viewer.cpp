@@ -129,6 +129,7 @@ class Viewer {
             if (trace()) {
                 quietFrames = 0;
             }
+            state.filterRefusal = splitView.isEmpty() ? "" : splitView.progressive().filterRefusal();
             presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
                 splitView.paint(commands, screen, state.settings.splitAt);
                 keptPictures.paint(commands, screen, state.kept.shown());

@@ -128,6 +128,7 @@ struct ViewerState {
     std::optional<std::size_t> tourScreen; // index in tour(); none: there is no tour
     glm::vec2 cursor{0.0f};                // pixels of the window, from its upper left corner
     std::vector<std::string> readOut;      // of the pixel there
+    std::string_view filterRefusal;        // why the device does not filter the picture; empty: it does
     Statistics statistics;
     ViewHistory history;
     KeptViews kept;

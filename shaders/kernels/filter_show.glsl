@@ -4,7 +4,6 @@
 #include "shared/packed_pixel.h"
 #include "shared/tone_mapping.h"
 
-layout(std430, binding = kBindFilterTo) readonly buffer AfterBuffer { FilterLight after[]; };
 layout(std430, binding = kBindOutput) buffer PictureBuffer { uint picture[]; };
 
 void main() {
@@ -13,7 +12,6 @@ void main() {
         return;
     }
     const uint i = indexOf(pixel);
-    const vec3 radiance = filteredRadiance(surfaces[i], from[i], after[i], push.kept);
-    const uint shown = packedLinear(toneMapped(push.toneOperator, push.scale, radiance));
+    const uint shown = packedLinear(toneMapped(push.toneOperator, push.scale, from[i].light));
     picture[i] = (shown & 0xffffffu) | (picture[i] & 0xff000000u); // the part that is covered stays
 }

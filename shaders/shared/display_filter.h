@@ -47,7 +47,7 @@ struct FilterBeginPush {
     uint height;
 };
 
-// The kernels `filter_variance`, `filter_pass` and `filter_show` work on rows of pixels.
+// The kernels `filter_variance`, `filter_pass`, `filter_end` and `filter_show` work on rows of pixels.
 struct FilterPush {
     uint firstRow;
     uint width;
@@ -56,9 +56,9 @@ struct FilterPush {
     uint distance; // filter_pass: of the neighbours, in pixels
     float
         tolerance; // filter_pass: the difference in light that halves a weight or so, in standard deviations
-    float kept;    // filter_show: the part of the filter's change that is shown, 0 to 1
-    uint toneOperator;
-    float scale; // factor of radiance
+    float kept;    // filter_end: the part of the filter's change that is shown, 0 to 1
+    uint toneOperator; // filter_show
+    float scale;       // filter_show: factor of radiance
 };
 
 // Bindings. Buffers have one element per pixel, in rows from the top.

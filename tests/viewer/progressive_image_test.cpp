@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -123,6 +124,46 @@ TEST_F(Progressive, filteredPictureFollowsTheTones) {
     image.setTone({});
     frame();
     EXPECT_EQ(image.shownPixels(), before);
+}
+
+// The tones do not wait for the next filtered picture, which is on its way.
+TEST_F(Progressive, filteredPictureFollowsTheTonesAtOnce) {
+    image.setFilter(true);
+    start(64);
+    advanceTo(1);
+    const auto before = image.shownPixels();
+    while (image.wholeSamples() < 2) {
+        ASSERT_TRUE(image.advance(0.05));
+        frame();
+    }
+    ASSERT_TRUE(image.advance(1e-9)); // begins to filter
+    ASSERT_TRUE(image.advance(1e-9)); // a few rows
+    frame();
+    EXPECT_EQ(image.shownPixels(), before);
+    image.setTone({.exposure = -30.0f});
+    frame();
+    EXPECT_EQ(image.shownPixels(), std::vector<std::uint32_t>(before.size(), 0xff000000u));
+    image.setTone({});
+    frame();
+    EXPECT_EQ(image.shownPixels(), before);
+    advanceTo(3); // behind the filtered picture of two samples
+    EXPECT_NE(image.shownPixels(), before);
+}
+
+// A window of more pixels than a kernel can see of the filter's buffers (llvmpipe: 8.4 million).
+TEST_F(Progressive, saysWhyALargePictureIsNotFiltered) {
+    EXPECT_EQ(image.filterRefusal(), "");
+    const std::uint64_t most = vulkan::testDevice().report().maxStorageBufferRange / sizeof(FilterLight);
+    const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(most))) + 1;
+    if (side > 40000) {
+        GTEST_SKIP() << "the device binds all buffers";
+    }
+    ProgressiveImage large(vulkan::testDevice(), scene, std::string(traversals().front()), {side, side},
+                           none);
+    EXPECT_NE(large.filterRefusal(), "");
+    ProgressiveImage fitting(vulkan::testDevice(), scene, std::string(traversals().front()),
+                             {side - 1, side - 1}, none);
+    EXPECT_EQ(fitting.filterRefusal(), "");
 }
 
 TEST_F(Progressive, filmIsNotFiltered) {
