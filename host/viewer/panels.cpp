@@ -47,7 +47,7 @@ void drawViewChoice(Settings& settings) {
     const char* const current = settings.view              ? render::kViewNames[*settings.view].name.data()
                                 : settings.channel.empty() ? beauty
                                                            : settings.channel.c_str();
-    if (ImGui::BeginCombo("view", current)) {
+    if (ImGui::BeginCombo("view", current, ImGuiComboFlags_HeightLargest)) {
         if (ImGui::Selectable(beauty, !settings.view && settings.channel.empty())) {
             settings.view.reset();
             settings.channel.clear();

@@ -617,7 +617,9 @@ class Viewer {
             isKeptShown() ? fmt::format("{} as it was kept", nameOf(state.kept.shown()))
             : settings.view
                 ? std::string(render::kViewNames[*settings.view].name)
-                : fmt::format("{}, {} of {} samples", nameOf(settings.path.integrator),
+                : fmt::format("{}, {} of {} samples",
+                              settings.channel.empty() ? std::string(nameOf(settings.path.integrator))
+                                                       : "channel " + settings.channel,
                               static_cast<std::uint32_t>(state.statistics.samples), settings.samples);
         const std::string how =
             state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;

@@ -137,7 +137,7 @@ class Viewer:
     def wait_for_samples(self):
         """Waits until the path tracer has taken all of its samples."""
         self.settle()
-        self.wait_for_title(r".* - \w+, (\d+) of \1 samples - [\w |]+ - metamarch")
+        self.wait_for_title(r".* - [\w. ]+, (\d+) of \1 samples - [\w |]+ - metamarch")
 
     def has_all_samples(self):
         samples = re.search(r", (\d+) of (\d+) samples", self.title)
