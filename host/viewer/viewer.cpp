@@ -16,6 +16,7 @@
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
 #include "metamarch/viewer/pixel_readout.h"
+#include "metamarch/viewer/player.h"
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/recent_files.h"
 #include "metamarch/viewer/scene_source.h"
@@ -43,8 +44,6 @@ namespace {
 constexpr double kIdleSeconds = 0.25;
 constexpr double kBusySeconds = 0.05;
 constexpr int kFramesAfterEvent = 3;
-
-constexpr double kSecondsOfStep = 0.8; // while a march plays
 
 class Viewer {
   public:
@@ -104,14 +103,14 @@ class Viewer {
             const KeptView before{state.camera, state.settings};
             controls.apply(input, window, seconds, state);
             keepStep();
-            if (!isSavingMarch) {
+            if (!player.isSaving()) {
                 drawPanels(state);
                 drawTour(state);
             }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
-            play(seconds);
-            playMarch(seconds);
+            player.playAnimations(seconds, scenes.isBusy() || isKeptShown(), state);
+            player.playMarch(seconds, state);
             fitHeat();
             followOrShow(before);
             if (state.scene) {
@@ -149,7 +148,7 @@ class Viewer {
     // Returns true if something is on its way that comes without an event.
     bool isExpecting() const {
         return scenes.isBusy() || splitView.isDenoising() || state.playback.isPlaying ||
-               state.isMarchPlaying || isSavingMarch;
+               state.isMarchPlaying || player.isSaving();
     }
 
     // --- scenes ---
@@ -258,29 +257,6 @@ class Viewer {
                                 : "shader error: " + error.substr(0, error.find('\n')));
     }
 
-    // --- animation ---
-
-    // Poses the scene at the next time as soon as the last pose is there.
-    void play(const double seconds) {
-        Playback& playback = state.playback;
-        sincePose = playback.isPlaying ? sincePose + seconds : 0.0;
-        if (!playback.isPlaying || !state.scene || scenes.isBusy() || isKeptShown()) {
-            return;
-        }
-        const double length = state.scene->whole->animationSeconds();
-        if (length <= 0.0) { // the file was read again and has no animation any more
-            playback.isPlaying = false;
-            return;
-        }
-        double time = state.settings.import.time.value_or(0.0) +
-                      std::exchange(sincePose, 0.0) * static_cast<double>(playback.speed);
-        if (time > length) {
-            playback.isPlaying = playback.isLooped;
-            time = playback.isLooped ? std::fmod(time, length) : length;
-        }
-        state.settings.import.time = time;
-    }
-
     // --- actions of keys and buttons ---
 
     void act() {
@@ -306,7 +282,7 @@ class Viewer {
                 state.say("this screen gives no picture of the window");
             }
         } else if (action == Action::saveMarch) {
-            saveMarch();
+            player.saveMarch(state);
         } else if (action == Action::saveExr) {
             save(".exr");
         } else if (action == Action::reload) {
@@ -360,14 +336,14 @@ class Viewer {
         quietFrames = 0; // shows the message, or the next step
         const std::string scene = state.file.stem().string();
         try {
-            if (isSavingMarch) {
-                savedStep(saver.saveWindow(frame->pixels, frame->size, scene + "_march"));
+            if (player.isSaving()) {
+                player.stepIsSaved(saver.saveWindow(frame->pixels, frame->size, scene + "_march"), state);
             } else {
                 state.say(fmt::format("saved {}, all that the window shows",
                                       saver.saveWindow(frame->pixels, frame->size, scene)));
             }
         } catch (const Error& error) {
-            isSavingMarch = false;
+            player.stopSaving();
             state.say(error.what());
         }
     }
@@ -449,53 +425,16 @@ class Viewer {
 
     // --- the march ---
 
-    void saveMarch() {
-        if (!state.march || state.march->log.steps.empty()) {
-            state.say("there is no march to save: Alt+click marches a ray");
-            return;
-        }
-        isSavingMarch = true;
-        savedSteps = 0;
-    }
-
     // Asks for the picture of the step that is saved next, without panels.
     void keepStep() {
-        if (!isSavingMarch) {
+        if (!player.isSaving()) {
             return;
         }
         isWindowWanted = state.shownStep() && presenter.keepFrame();
         if (!isWindowWanted) { // the march is gone, or the screen gives no pictures
-            isSavingMarch = false;
+            player.stopSaving();
             state.say("the march is not saved");
         }
-    }
-
-    void savedStep(const std::string& path) {
-        if (!state.march) { // removed since the picture was asked for
-            isSavingMarch = false;
-            return;
-        }
-        ++savedSteps;
-        if (static_cast<std::size_t>(savedSteps) < state.march->log.steps.size()) {
-            return;
-        }
-        isSavingMarch = false;
-        state.say(fmt::format("saved {} steps, the last as {}", savedSteps, path));
-    }
-
-    void playMarch(const double seconds) {
-        if (isSavingMarch) { // no key changes which step is saved
-            state.marchStep = savedSteps + 1;
-            state.isMarchPlaying = false;
-            return;
-        }
-        state.isMarchPlaying = state.isMarchPlaying && state.march;
-        sinceStep = state.isMarchPlaying ? sinceStep + seconds : 0.0;
-        if (sinceStep < kSecondsOfStep) {
-            return;
-        }
-        sinceStep = 0.0;
-        state.isMarchPlaying = static_cast<std::size_t>(++state.marchStep) < state.march->log.steps.size();
     }
 
     // --- pictures ---
@@ -637,20 +576,17 @@ class Viewer {
     PictureSaver saver;
     SceneSource scenes;
     Controls controls;
+    Player player;
     ViewerState state;
 
     std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
     KeptPictures keptPictures;
     Backdrop backdrop;
-    SplitView splitView;    // uses the device scene, the denoiser and the backdrop
-    double sincePose = 0.0; // seconds since an animation was posed last
+    SplitView splitView; // uses the device scene, the denoiser and the backdrop
     RecentFiles recentFiles;
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
-    bool isSavingMarch = false;  // the step that is shown is saved next
-    int savedSteps = 0;          // of that march
-    double sinceStep = 0.0;      // seconds since the march has played its last step
     bool isStale = false;        // the picture must begin anew
     bool isHeatKnown = false;    // the range of the heat map has been compared with the picture
     bool isHalted = false;       // there is no picture until a setting or the window's size changes
