@@ -87,19 +87,20 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.driver = device.report().driverInfo;
     result.traversal = traversal;
     result.seconds.render = progressive.seconds();
-    std::string saved =
-        fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
+    const auto saved = [&] { // only once it is there: the folder may be gone
+        return fmt::format("saved {}, {} samples a pixel", fullPath(name), result.settings.samplesPerPixel);
+    };
     using Kind = BackdropChoice::Kind;
     const Kind behind = state.settings.backdrop.kind;
     if (ending == ".png" && (behind == Kind::solid || behind == Kind::blurred)) {
         writeImage(imageOf(overBackdrop(result, denoiser, state.settings.tone, backdrop), result.size), name);
-        return saved;
+        return saved();
     }
     const render::PictureOrigin origin{
         .software = software, .sceneFile = file.string(), .camera = request.camera, .lens = request.lens};
     render::writePicture(result, origin,
                          {.path = name, .toneMapping = state.settings.tone, .denoiser = denoiser});
-    return saved;
+    return saved();
 }
 
 std::string PictureSaver::saveWindow(const std::vector<std::uint32_t>& pixels, const glm::uvec2 size,
