@@ -42,6 +42,13 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
     return size;
 }
 
+vulkan::ComputePipeline presentKernel(const vulkan::Device& device, const bool hasBackdrop) {
+    return render::makeKernel(device, "present",
+                              {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
+                               .pushConstantSize = sizeof(PresentPush),
+                               .specialization = {{kSpecBackdrop, hasBackdrop ? 1u : 0u}}});
+}
+
 } // namespace
 
 Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scene,
@@ -50,9 +57,7 @@ Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scen
     : name(traversal), fineSize(fittingSize(device, size)),
       coarse(device, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
       sharp(device, scene, traversal, fineSize, shaders), fine(device, scene, traversal, fineSize, shaders),
-      presenting(render::makeKernel(device, "present",
-                                    {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
-                                     .pushConstantSize = sizeof(PresentPush)})),
+      presenting(presentKernel(device, false)), presentingOver(presentKernel(device, true)),
       backdrop(usedBackdrop) {}
 
 void Viewport::start(const RenderRequest& request, const double seconds) {
@@ -105,12 +110,13 @@ void Viewport::record(vulkan::Commands& commands, const Screen& screen, const st
     if (first >= end || !lower.hasPicture()) {
         return;
     }
-    presenting.bind(kBindInput, upper.picture());
-    presenting.bind(kBindCoarse, lower.picture());
-    presenting.bind(kBindBackdrop, backdrop.texels());
-    presenting.bind(kBindOutput, screen.pixels);
     const glm::uvec2 texels = hasBackdrop ? backdrop.size() : glm::uvec2(0);
-    commands.dispatch(presenting, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
+    vulkan::ComputePipeline& kernel = texels.x > 0 ? presentingOver : presenting;
+    kernel.bind(kBindInput, upper.picture());
+    kernel.bind(kBindCoarse, lower.picture());
+    kernel.bind(kBindBackdrop, backdrop.texels());
+    kernel.bind(kBindOutput, screen.pixels);
+    commands.dispatch(kernel, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
                       PresentPush{screen.size.x, screen.size.y, first, end, upper.size().x, upper.size().y,
                                   lower.size().x, lower.size().y, screen.isBlueFirst ? 1u : 0u, texels.x,
                                   texels.y});

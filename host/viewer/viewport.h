@@ -45,7 +45,8 @@ class Viewport {
     ProgressiveImage coarse;
     ProgressiveImage sharp; // the preview at the size of the fine picture
     ProgressiveImage fine;
-    vulkan::ComputePipeline presenting; // the kernel `present`
+    vulkan::ComputePipeline presenting;     // the kernel `present`
+    vulkan::ComputePipeline presentingOver; // the same, over a backdrop
     const Backdrop& backdrop;
     bool hasBackdrop = false; // behind the picture; a view that is chosen has none
     bool hasPreview = false;

@@ -7,6 +7,8 @@
 
 layout(local_size_x = kScreenTile) in;
 
+layout(constant_id = kSpecBackdrop) const uint hasBackdrop = 0u;
+
 layout(std430, binding = kBindInput) readonly buffer FineBuffer { uint fine[]; };
 layout(std430, binding = kBindCoarse) readonly buffer CoarseBuffer { uint coarse[]; };
 layout(std430, binding = kBindOutput) writeonly buffer ScreenBuffer { uint screen[]; };
@@ -34,7 +36,7 @@ void main() {
         const uint coarseY = pixelUnder(y, push.coarseHeight, push.height);
         pixel = coarse[coarseY * push.coarseWidth + coarseX];
     }
-    if (push.backdropColumns != 0u) {
+    if (hasBackdrop != 0u) {
         pixel = overBackdrop(pixel, backdropAt(x, y));
     }
     pixel |= 0xff000000u;

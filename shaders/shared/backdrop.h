@@ -9,6 +9,10 @@ SHARED_BEGIN
 
 const uint kBindBackdrop = 54u; // vec4, in rows from the top
 
+// Specialization constant of the kernel `present`: 1 if there is a backdrop. Drivers that run both sides of a
+// branch would mix each pixel (llvmpipe: 18 frames per second in place of 28 at 1280 x 800).
+const uint kSpecBackdrop = 6u;
+
 // A packed pixel's alpha is 0 where nothing is known, otherwise 1 + kCovered times the part of the pixel that
 // something covers.
 const uint kCovered = 254u;

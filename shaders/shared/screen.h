@@ -34,7 +34,7 @@ struct PresentPush {
     uint coarseWidth; // of the lower picture, which is visible where the upper one is empty
     uint coarseHeight;
     uint isBlueFirst;     // 1 if the screen's lowest byte is blue
-    uint backdropColumns; // texels of the backdrop; 0: the pictures have their own
+    uint backdropColumns; // texels of the backdrop, with kSpecBackdrop
     uint backdropRows;
 };
 

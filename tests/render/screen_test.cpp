@@ -353,7 +353,8 @@ TEST_P(Presented, pixelsAreOfTheFinePictureWhereItIsThere) {
     vulkan::ComputePipeline kernel =
         render::makeKernel(device, "present",
                            {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
-                            .pushConstantSize = sizeof(PresentPush)});
+                            .pushConstantSize = sizeof(PresentPush),
+                            .specialization = {{kSpecBackdrop, push.backdropColumns != 0u ? 1u : 0u}}});
     std::vector<glm::vec4> backdrop(std::max(push.backdropColumns * push.backdropRows, 1u));
     for (glm::vec4& texel : backdrop) {
         texel = glm::vec4(random() % 256, random() % 256, random() % 256, 0) / 255.0f;
