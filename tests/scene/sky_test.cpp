@@ -137,6 +137,78 @@ TEST(Sky, hasNoSunBelowTheHorizonAndDarkensAfterIt) {
     EXPECT_LT(skyIrradiance(skyAt(-1.0f).environment).g, 1e-6);
 }
 
+// Returns the optical depth of the air from a point towards a direction, or infinity if the ground is in the
+// way. Lengths are in kilometres; the coefficients are Hillaire's.
+glm::dvec3 depthAlong(const glm::dvec3& point, const glm::dvec3& direction, const double reach) {
+    constexpr int kSteps = 200;
+    glm::dvec3 depth(0.0);
+    for (int i = 0; i < kSteps; ++i) {
+        const double height = glm::length(point + direction * (reach * (i + 0.5) / kSteps)) - 6360.0;
+        if (height < 0.0) {
+            return glm::dvec3(INFINITY);
+        }
+        const double ozone = std::max(1.0 - std::abs(height - 25.0) / 15.0, 0.0);
+        depth += (glm::dvec3(5.802e-3, 13.558e-3, 33.1e-3) * std::exp(-height / 8.0) +
+                  glm::dvec3(8.396e-3 * std::exp(-height / 1.2)) +
+                  glm::dvec3(0.650e-3, 1.881e-3, 0.085e-3) * ozone) *
+                 (reach / kSteps);
+    }
+    return depth;
+}
+
+double distanceToSpace(const glm::dvec3& point, const glm::dvec3& direction) {
+    const double b = glm::dot(point, direction);
+    return -b + std::sqrt(b * b - glm::dot(point, point) + 6460.0 * 6460.0);
+}
+
+// Returns the light scattered once along one line of sight, by plain sums.
+glm::dvec3 scatteredAlong(const glm::dvec3& direction, const glm::dvec3& sun) {
+    constexpr int kSteps = 500;
+    constexpr double g = 0.8;
+    const double cosine = glm::dot(direction, sun);
+    const double rayleighPhase = 3.0 / (16.0 * M_PI) * (1.0 + cosine * cosine);
+    const double miePhase = 3.0 / (8.0 * M_PI) * (1.0 - g * g) * (1.0 + cosine * cosine) /
+                            ((2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
+    const glm::dvec3 eye(0.0, 6360.002, 0.0);
+    const double reach = distanceToSpace(eye, direction);
+    glm::dvec3 sum(0.0);
+    double start = 0.0;
+    for (int i = 1; i <= kSteps; ++i) {
+        const double end = reach * i / kSteps * i / kSteps;
+        const double middle = 0.5 * (start + end);
+        const glm::dvec3 here = eye + direction * middle;
+        const double height = glm::length(here) - 6360.0;
+        const glm::dvec3 depth =
+            depthAlong(eye, direction, middle) + depthAlong(here, sun, distanceToSpace(here, sun));
+        sum += (glm::dvec3(5.802e-3, 13.558e-3, 33.1e-3) * (std::exp(-height / 8.0) * rayleighPhase) +
+                glm::dvec3(3.996e-3 * std::exp(-height / 1.2) * miePhase)) *
+               glm::exp(-depth) * (M_PI * (end - start));
+        start = end;
+    }
+    return sum;
+}
+
+// The steps of makeSky, which are fewer, make a difference of up to 0.4 %.
+TEST(Sky, isTheLightScatteredAlongEachLineOfSight) {
+    for (const float elevation : {0.785398163f, 0.2f}) {
+        const Sky sky = skyAt(elevation, 0.03f);
+        for (std::uint32_t y = 1; y < kWidth / 4; y += 5) {
+            for (std::uint32_t x = 0; x < kWidth; x += 7) {
+                const double polar = 2.0 * M_PI * (y + 0.5) / kWidth;
+                const double azimuth = 2.0 * M_PI * ((x + 0.5) / kWidth - 0.5);
+                const glm::dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
+                                           std::sin(polar) * std::sin(azimuth));
+                const glm::dvec3 expected = scatteredAlong(direction, glm::dvec3(sky.sun.direction));
+                const glm::vec3& texel = sky.environment.texels[std::size_t{y} * kWidth + x];
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(texel[c], expected[c], 5e-3 * expected[c])
+                        << elevation << ' ' << x << ' ' << y;
+                }
+            }
+        }
+    }
+}
+
 // The process keeps the last sky.
 TEST(Sky, isThatOfItsSunEachTime) {
     const auto surroundingsOf = [](const float elevation, const float azimuth, const float intensity) {

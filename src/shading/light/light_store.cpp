@@ -90,6 +90,7 @@ void addEmitters(const Scene& scene, const std::span<const glm::vec3> meanEmissi
 void addEnvironment(const Environment& environment, ShadingScene& target, Weights& weights,
                     const double radius) {
     const EnvironmentTables tables = makeEnvironmentTables(environment);
+    target.environment.reserve(environment.texels.size());
     for (std::size_t i = 0; i < environment.texels.size(); ++i) {
         target.environment.emplace_back(environment.texels[i], tables.weights[i]);
     }

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -32,6 +33,9 @@ constexpr double kSunRadius = 0.2665 * M_PI / 180.0;
 constexpr double kSunIrradiance = M_PI; // outside the atmosphere, per colour
 constexpr int kSteps = 48;              // number of steps along a line of sight
 constexpr int kTableSteps = 256;        // number of steps along a ray to the sun
+// Lines of sight divide half a circle into so many parts. Below the horizon the sun leaves an edge of shadow
+// in the air, so there are as many lines as columns.
+constexpr int kAzimuths = 32;
 
 struct Medium {
     double rayleigh; // density relative to the ground's
@@ -70,15 +74,20 @@ class Atmosphere {
     std::vector<dvec3> transmittances_;
 };
 
-// The light that is scattered along all lines of sight of one elevation. What does not depend on their
-// azimuth is worked out once.
+// What reaches the eye along a line of sight, but for the phase functions.
+struct Scattered {
+    dvec3 rayleigh{0.0};
+    dvec3 mie{0.0};
+};
+
+// All lines of sight of one elevation. What does not depend on their azimuth is worked out once.
 class SightLines {
   public:
     // The eye is at kEyeHeight above the ground; `polar` is the angle to the vertical.
     SightLines(const Atmosphere& atmosphere, double polar, const dvec3& sun);
 
-    // Returns the radiance that arrives along the line with this cosine to the sun.
-    dvec3 scattered(double sunCosine) const;
+    // Returns the light along the line with this cosine to the sun.
+    Scattered scattered(double sunCosine) const;
 
   private:
     struct Step {
@@ -92,6 +101,14 @@ class SightLines {
     const Atmosphere& atmosphere_;
     double eyeToSun_; // length, along the direction to the sun
     std::vector<Step> steps_;
+};
+
+// How the light at an azimuth follows from that of the lines of sight, by the cubic polynomial through the
+// four next to it.
+struct BetweenLines {
+    std::array<int, 4> line;
+    std::array<double, 4> weight;
+    double cosine; // of the azimuth from the sun
 };
 
 // Returns the cosine, relative to the vertical, of the horizon seen from a height; it is negative.
@@ -204,20 +221,40 @@ SightLines::SightLines(const Atmosphere& atmosphere, const double polar, const d
     }
 }
 
-dvec3 SightLines::scattered(const double sunCosine) const {
+Scattered SightLines::scattered(const double sunCosine) const {
+    Scattered sum;
+    for (const Step& step : steps_) {
+        const double cosine = (eyeToSun_ + step.distance * sunCosine) / step.radius;
+        const dvec3 transmittance = atmosphere_.transmittance(step.row, cosine);
+        sum.rayleigh += step.rayleigh * transmittance;
+        sum.mie += step.mie * transmittance;
+    }
+    return sum;
+}
+
+// `azimuth` counts from the sun; line number i lies at i * pi / parts. The sky is the same on both sides of
+// the sun.
+BetweenLines betweenLines(const double azimuth, const int parts) {
+    const double place = std::abs(std::remainder(azimuth, 2.0 * M_PI)) / M_PI * parts;
+    const int before = std::min(static_cast<int>(place), parts - 1);
+    const double part = place - before;
+    const auto mirrored = [&](const int line) { return line > parts ? 2 * parts - line : std::abs(line); };
+    return {{mirrored(before - 1), before, before + 1, mirrored(before + 2)},
+            {-part * (part - 1.0) * (part - 2.0) / 6.0, (part + 1.0) * (part - 1.0) * (part - 2.0) / 2.0,
+             -part * (part + 1.0) * (part - 2.0) / 2.0, part * (part + 1.0) * (part - 1.0) / 6.0},
+            std::cos(azimuth)};
+}
+
+dvec3 radianceAlong(const Scattered& light, const double sunCosine) {
     const double rayleighPhase = 3.0 / (16.0 * M_PI) * (1.0 + sunCosine * sunCosine);
     // W. Cornette, J. Shanks, "Physically Reasonable Analytic Expression for the Single-Scattering Phase
     // Function", 1992.
     const double g = kMieAsymmetry;
+    const double away = 1.0 + g * g - 2.0 * g * sunCosine;
     const double miePhase = 3.0 / (8.0 * M_PI) * (1.0 - g * g) * (1.0 + sunCosine * sunCosine) /
-                            ((2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * sunCosine, 1.5));
-    dvec3 radiance(0.0);
-    for (const Step& step : steps_) {
-        const double cosine = (eyeToSun_ + step.distance * sunCosine) / step.radius;
-        radiance += (step.rayleigh * rayleighPhase + step.mie * miePhase) *
-                    atmosphere_.transmittance(step.row, cosine);
-    }
-    return radiance;
+                            ((2.0 + g * g) * away * std::sqrt(away));
+    // Between two lines of which one lies in the earth's shadow, the polynomial may fall below 0.
+    return glm::max(light.rayleigh * rayleighPhase + light.mie * miePhase, dvec3(0.0));
 }
 
 } // namespace
@@ -241,30 +278,33 @@ Sky makeSky(const SkySettings& settings) {
     map.height = settings.width / 2;
     map.texels.resize(std::size_t{map.width} * map.height);
     const std::uint32_t skyRows = map.height / 2;
-    // With the sun at azimuth 0, as it is by default, the directions of two columns are mirror images.
-    const bool isMirrored = sun.z == 0.0 && map.width % 2 == 0;
-    const std::uint32_t columns = isMirrored ? map.width / 2 : map.width;
-    std::vector<glm::dvec2> azimuths(columns); // cosine and sine
-    for (std::uint32_t x = 0; x < columns; ++x) {
-        const double azimuth = ((x + 0.5) / map.width - 0.5) * 2.0 * M_PI;
-        azimuths[x] = {std::cos(azimuth), std::sin(azimuth)};
+    const int parts = sun.y > 0.0 ? kAzimuths : static_cast<int>(map.width / 2);
+    std::vector<BetweenLines> columns(map.width);
+    for (std::uint32_t x = 0; x < map.width; ++x) {
+        columns[x] = betweenLines(((x + 0.5) / map.width - 0.5) * 2.0 * M_PI - sunAzimuth, parts);
     }
     std::vector<dvec3> irradianceOfRow(skyRows, dvec3(0.0));
     tbb::parallel_for(std::uint32_t{0}, skyRows, [&](std::uint32_t y) {
         const double polar = M_PI * (y + 0.5) / map.height;
-        const double level = std::sin(polar);
-        const double height = std::cos(polar);
+        const double level = std::sin(polar) * std::cos(elevation);
+        const double height = std::cos(polar) * sun.y;
         const SightLines lines(atmosphere, polar, sun);
-        const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * level;
-        std::vector<dvec3> radiances(columns);
-        for (std::uint32_t x = 0; x < columns; ++x) {
-            const dvec3 direction(level * azimuths[x].x, height, level * azimuths[x].y);
-            radiances[x] = lines.scattered(glm::dot(direction, sun));
+        std::vector<Scattered> ofLine(static_cast<std::size_t>(parts) + 1);
+        for (int line = 0; line <= parts; ++line) {
+            ofLine[static_cast<std::size_t>(line)] =
+                lines.scattered(level * std::cos(M_PI * line / parts) + height);
         }
+        const double texelArea = 2.0 * M_PI / map.width * M_PI / map.height * std::sin(polar);
         for (std::uint32_t x = 0; x < map.width; ++x) {
-            const dvec3& radiance = radiances[x < columns ? x : map.width - 1 - x];
+            Scattered light;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Scattered& there = ofLine[static_cast<std::size_t>(columns[x].line[i])];
+                light.rayleigh += columns[x].weight[i] * there.rayleigh;
+                light.mie += columns[x].weight[i] * there.mie;
+            }
+            const dvec3 radiance = radianceAlong(light, level * columns[x].cosine + height);
             map.texels[std::size_t{y} * map.width + x] = glm::vec3(radiance);
-            irradianceOfRow[y] += radiance * (texelArea * height);
+            irradianceOfRow[y] += radiance * (texelArea * std::cos(polar));
         }
     });
     dvec3 irradiance = sunlight * std::max(sun.y, 0.0);

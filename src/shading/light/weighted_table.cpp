@@ -19,29 +19,32 @@ constexpr double kLeftToBsdf = 0.5;
 // vector gives the least squared error, summed over the channels; luminance would hardly look for blue light.
 std::vector<float> weightsOf(const Environment& environment) {
     constexpr double kLeast = 1e-18; // the square of a smaller weight could be a denormal float
-    const auto sine = [&](const std::size_t texel) {
-        const std::size_t row = texel / environment.width;
-        return std::sin(M_PI * (static_cast<double>(row) + 0.5) / environment.height);
-    };
-    std::vector<double> kept;
-    kept.reserve(environment.texels.size());
+    const std::size_t width = environment.width;
+    std::vector<double> kept(environment.texels.size());
+    std::vector<double> sines(environment.height);
     double light = 0.0;
-    double sines = 0.0;
-    for (std::size_t i = 0; i < environment.texels.size(); ++i) {
-        kept.push_back(glm::length(glm::dvec3(environment.texels[i])));
-        light += kept[i] * sine(i);
-        sines += sine(i);
+    double area = 0.0;
+    for (std::size_t row = 0; row < sines.size(); ++row) {
+        sines[row] = std::sin(M_PI * (static_cast<double>(row) + 0.5) / environment.height);
+        for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+            kept[i] = glm::length(glm::dvec3(environment.texels[i]));
+            light += kept[i] * sines[row];
+            area += sines[row];
+        }
     }
+    const double left = kLeftToBsdf * light / area;
     double sum = 0.0;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        kept[i] = std::max(kept[i] - kLeftToBsdf * light / sines, 0.0) * sine(i);
-        sum += kept[i];
+    for (std::size_t row = 0; row < sines.size(); ++row) {
+        for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+            kept[i] = std::max(kept[i] - left, 0.0) * sines[row];
+            sum += kept[i];
+        }
     }
     const double scale = sum > 0.0 ? static_cast<double>(kept.size()) / sum : 0.0;
-    std::vector<float> weights;
-    weights.reserve(kept.size());
-    for (const double value : kept) {
-        weights.push_back(value * scale < kLeast ? 0.0f : static_cast<float>(value * scale));
+    std::vector<float> weights(kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const double value = kept[i] * scale;
+        weights[i] = value < kLeast ? 0.0f : static_cast<float>(value);
     }
     return weights;
 }
@@ -55,9 +58,11 @@ struct BlockPart {
     glm::dvec3 direction{0.0}; // sum over the cells, times their weights
 };
 
-// Adds a row of cells to the parts of all blocks.
+// Adds a row of cells to the parts of its blocks. `azimuths` are the cosines and sines of the columns of
+// cells.
 void addToParts(const EnvironmentTables& tables, const Environment& environment, const std::uint32_t row,
-                const std::span<const float> cells, const std::span<BlockPart> parts) {
+                const std::span<const float> cells, const std::span<const glm::dvec2> azimuths,
+                const std::span<BlockPart> parts) {
     const auto partOf = [](const std::uint32_t cell, const std::uint32_t shift) {
         return (cell & ((1u << shift) - 1)) * kPartsAlong >> shift;
     };
@@ -65,10 +70,10 @@ void addToParts(const EnvironmentTables& tables, const Environment& environment,
     const std::size_t partRow = partOf(row, tables.blockRowShift);
     const double polar =
         M_PI * std::clamp(static_cast<double>(row), 0.25, environment.height - 0.25) / environment.height;
+    const double level = std::sin(polar);
+    const double height = std::cos(polar);
     for (std::uint32_t x = 0; x < environment.width; ++x) {
-        const double azimuth = 2.0 * M_PI * ((x + 1.0) / environment.width - 0.5);
-        const glm::dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
-                                   std::sin(polar) * std::sin(azimuth));
+        const glm::dvec3 direction(level * azimuths[x].x, height, level * azimuths[x].y);
         const std::size_t block = blockRow * kBlocksAcross + (x >> tables.blockColumnShift);
         BlockPart& part =
             parts[block * kPartsOfBlock + partRow * kPartsAlong + partOf(x, tables.blockColumnShift)];
@@ -198,12 +203,18 @@ EnvironmentTables makeEnvironmentTables(const Environment& environment) {
     while ((height >> tables.blockRowShift) >= kBlocksDown) {
         ++tables.blockRowShift;
     }
-    tables.columns.reserve(std::size_t{width} * (height + 1));
+    std::vector<glm::dvec2> azimuths;
+    for (std::uint32_t x = 0; x < width; ++x) {
+        const double azimuth = 2.0 * M_PI * ((x + 1.0) / width - 0.5);
+        azimuths.emplace_back(std::cos(azimuth), std::sin(azimuth));
+    }
+    tables.columns.resize(std::size_t{width} * (height + 1));
     std::vector<std::vector<float>> rowWeights(kBlocksAcross, std::vector<float>(height + 1, 0.0f));
     std::vector<BlockPart> parts(std::size_t{kMapBlocks} * kPartsAlong * kPartsAlong);
     const std::uint32_t blockWidth = 1u << tables.blockColumnShift;
-    std::vector<float> cells(width);
-    for (std::uint32_t row = 0; row <= height; ++row) {
+    const std::uint32_t blockHeight = 1u << tables.blockRowShift;
+    const auto addRow = [&](const std::uint32_t row) {
+        std::vector<float> cells(width);
         const float* upper = &tables.weights[std::size_t{std::max(row, 1u) - 1} * width];
         const float* lower = &tables.weights[std::size_t{std::min(row, height - 1)} * width];
         const float part = row == 0 || row == height ? 0.5f : 1.0f; // cells at the poles are halves
@@ -214,13 +225,19 @@ EnvironmentTables makeEnvironmentTables(const Environment& environment) {
         for (std::uint32_t first = 0; first < width; first += blockWidth) {
             const std::span block(&cells[first], std::min(blockWidth, width - first));
             const std::vector<TableEntry> columns = makeWeightedTable(block);
-            tables.columns.insert(tables.columns.end(), columns.begin(), columns.end());
+            std::ranges::copy(columns, &tables.columns[std::size_t{row} * width + first]);
             rowWeights[first / blockWidth][row] =
                 static_cast<float>(std::accumulate(block.begin(), block.end(), 0.0));
         }
-        addToParts(tables, environment, row, cells, parts);
-    }
-    const std::uint32_t blockHeight = 1u << tables.blockRowShift;
+        addToParts(tables, environment, row, cells, azimuths, parts);
+    };
+    // The rows of a block stay in order, so its sums are the same each time.
+    tbb::parallel_for(0u, height / blockHeight + 1, [&](const std::uint32_t blockRow) {
+        const std::uint32_t end = std::min((blockRow + 1) * blockHeight, height + 1);
+        for (std::uint32_t row = blockRow * blockHeight; row < end; ++row) {
+            addRow(row);
+        }
+    });
     for (const std::vector<float>& column : rowWeights) {
         for (std::uint32_t first = 0; first <= height; first += blockHeight) {
             const std::span block(&column[first], std::min(blockHeight, height + 1 - first));
