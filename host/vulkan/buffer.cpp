@@ -8,6 +8,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace metamarch::vulkan {
 namespace {
 
 constexpr uint64_t kLeastSize = 16; // bytes; replaces a size of 0, which Vulkan forbids
+// Memory that the host reads and writes without flushes.
+constexpr vk::MemoryPropertyFlags kVisible =
+    vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
 
 vk::BufferUsageFlags usageOf(BufferUse use) {
     using Usage = vk::BufferUsageFlagBits;
@@ -43,15 +47,13 @@ bool isMapped(BufferUse use) { return use == BufferUse::upload || use == BufferU
 // Returns the wanted memory properties, best first. Vulkan guarantees that a memory type with host memory
 // exists, and one that is device-local. A device also reads and writes host memory, only more slowly.
 std::vector<vk::MemoryPropertyFlags> memoryWishes(BufferUse use) {
-    using Memory = vk::MemoryPropertyFlagBits;
-    const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
     switch (use) {
     case BufferUse::upload:
-        return {host};
+        return {kVisible};
     case BufferUse::readback:
-        return {host | Memory::eHostCached, host};
+        return {kVisible | vk::MemoryPropertyFlagBits::eHostCached, kVisible};
     default:
-        return {Memory::eDeviceLocal, host};
+        return {vk::MemoryPropertyFlagBits::eDeviceLocal, kVisible};
     }
 }
 
@@ -102,6 +104,7 @@ struct Buffer::Handles {
     uint32_t heap = 0;
     uint64_t taken = 0; // bytes of the heap
     uint64_t spilled = 0;
+    bool isVisible = false; // to the host, without flushes
 };
 
 // Takes the best memory that has room. Returns false if none has.
@@ -121,6 +124,7 @@ bool Buffer::Handles::allocate(const vk::MemoryRequirements& needs, const Buffer
             continue;
         }
         const bool isHost = !(found.propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal);
+        isVisible = (found.propertyFlags & kVisible) == kVisible;
         heap = found.heapIndex;
         taken = needs.size;
         spilled = isHost && !isMapped(use) ? needs.size : 0;
@@ -168,6 +172,19 @@ Buffer::Buffer(const Device& device, BufferUse use, uint64_t size, std::string n
 Buffer::~Buffer() = default;
 Buffer::Buffer(Buffer&&) noexcept = default;
 Buffer& Buffer::operator=(Buffer&&) noexcept = default;
+
+bool Buffer::writeFromHost(const std::span<const std::byte> data) {
+    if (!handles_->isVisible || data.empty()) {
+        return false;
+    }
+    try {
+        std::memcpy(handles_->memory.mapMemory(0, VK_WHOLE_SIZE), data.data(), data.size());
+    } catch (const vk::MemoryMapFailedError&) { // no address space: the caller copies in parts
+        return false;
+    }
+    handles_->memory.unmapMemory();
+    return true;
+}
 
 vk::Buffer Buffer::handle() const { return *handles_->buffer; }
 

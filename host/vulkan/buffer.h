@@ -41,6 +41,9 @@ class Buffer {
     // The bytes as mapped for the host; empty for device-local buffers. Read them only after waiting for the
     // Submission that writes them.
     std::span<std::byte> mapped() const { return mapped_; }
+    // Writes the first bytes of a device-local buffer that no submission has used yet. Returns false, and
+    // writes nothing, where the host does not see device memory.
+    bool writeFromHost(std::span<const std::byte> data);
 
   private:
     struct Handles;

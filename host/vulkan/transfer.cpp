@@ -47,7 +47,9 @@ void read(const Device& device, const Buffer& buffer, uint64_t offset, std::span
 
 Buffer upload(const Device& device, std::span<const std::byte> data, std::string name) {
     Buffer buffer(device, BufferUse::storage, data.size(), std::move(name));
-    write(device, buffer, 0, data);
+    if (!buffer.writeFromHost(data)) {
+        write(device, buffer, 0, data);
+    }
     return buffer;
 }
 

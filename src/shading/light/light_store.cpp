@@ -87,18 +87,16 @@ void addEmitters(const Scene& scene, const std::span<const glm::vec3> meanEmissi
     }
 }
 
-void addEnvironment(const Environment& environment, ShadingScene& target, Weights& weights,
-                    const double radius) {
-    const EnvironmentTables tables = makeEnvironmentTables(environment);
+// Returns the tables, which go behind that of all lights.
+EnvironmentTables addEnvironment(const Environment& environment, ShadingScene& target, Weights& weights,
+                                 const double radius) {
+    EnvironmentTables tables = makeEnvironmentTables(environment);
     target.environment.reserve(environment.texels.size());
     for (std::size_t i = 0; i < environment.texels.size(); ++i) {
         target.environment.emplace_back(environment.texels[i], tables.weights[i]);
     }
     target.settings.blockColumnShift = tables.blockColumnShift;
     target.settings.blockRowShift = tables.blockRowShift;
-    target.tables = tables.blocks;
-    target.tables.insert(target.tables.end(), tables.rows.begin(), tables.rows.end());
-    target.tables.insert(target.tables.end(), tables.columns.begin(), tables.columns.end());
     target.settings.environmentWidth = environment.width;
     target.settings.environmentHeight = environment.height;
     double sum = 0.0;
@@ -112,6 +110,7 @@ void addEnvironment(const Environment& environment, ShadingScene& target, Weight
     }
     weights.environment = sum / area * target.settings.environmentScale * 4.0 * M_PI * M_PI * radius * radius;
     target.features |= kFeatureEnvironment;
+    return tables;
 }
 
 // Returns the probability of each light, in the table's order.
@@ -263,8 +262,9 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
     for (const LightRecord& light : target.lights) {
         weights.lights.push_back(powerOf(light, radius));
     }
+    EnvironmentTables tables;
     if (surroundings.environment) {
-        addEnvironment(*surroundings.environment, target, weights, radius);
+        tables = addEnvironment(*surroundings.environment, target, weights, radius);
     }
 
     std::vector<double> chances = probabilities(weights);
@@ -281,8 +281,13 @@ void addLights(const std::span<const PunctualLight> lights, const Scene& scene,
     addLightTree(meanEmission, target, chances);
     settings.lightCount = static_cast<std::uint32_t>(chances.size());
     const std::vector<float> rounded(chances.begin(), chances.end());
-    const std::vector<TableEntry> lightTable = makeWeightedTable(rounded);
-    target.tables.insert(target.tables.begin(), lightTable.begin(), lightTable.end());
+    const std::vector<TableEntry> ofAll = makeWeightedTable(rounded);
+    target.tables.reserve(ofAll.size() + tables.blocks.size() + tables.rows.size() + tables.columns.size());
+    for (const auto& part :
+         {std::span(ofAll), std::span<const TableEntry>(tables.blocks),
+          std::span<const TableEntry>(tables.rows), std::span<const TableEntry>(tables.columns)}) {
+        target.tables.insert(target.tables.end(), part.begin(), part.end());
+    }
 }
 
 } // namespace metamarch
