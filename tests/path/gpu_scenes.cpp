@@ -208,7 +208,7 @@ void manyLights(PathScene& made) {
 }
 
 void sky(PathScene& made) {
-    Sky above = makeSky({.width = 32});
+    Sky above = makeSky({.resolution = 32});
     made.surroundings.environment = above.environment;
     made.surroundings.sun = above.sun;
     made.surroundings.rotation = 0.9f;

@@ -156,7 +156,7 @@ TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
     PathScene made;
     made.scene = loadScene(file.starts_with("scenes/") ? std::filesystem::path(METAMARCH_SOURCE_DIR) / file
                                                        : sharedScene(file));
-    const Sky sky = makeSky({.width = 64});
+    const Sky sky = makeSky({.resolution = 64});
     made.surroundings.environment = sky.environment;
     made.surroundings.sun = sky.sun;
     made.view = made.scene.cameras.empty()

@@ -25,7 +25,7 @@ PathScene manyLights() {
     addQuad(made.scene, {-3, 2, -1}, {0.3f, 0, 0}, {0, 0.2f, 1}, addMaterial(made.scene, panel));
     addQuad(made.scene, {-9, 0, 9}, {18, 0, 0}, {0, 0, -18}, addMaterial(made.scene, lambert(glm::vec3(1))));
     addPointLight(made.scene, {1, 3, 0}, 5.0f);
-    Sky sky = makeSky({.width = 32});
+    Sky sky = makeSky({.resolution = 32});
     made.surroundings.environment = sky.environment;
     made.surroundings.rotation = 0.4f;
     made.surroundings.sun = sky.sun;

@@ -194,7 +194,7 @@ PathScene litByAll(const bool hasObject) {
     }
     addQuad(made.scene, {-2.0f, 1.5f, -0.7f}, {0.3f, 0.6f, 0}, {0, 0, 1},
             addMaterial(made.scene, emitter({40, 60, 90})));
-    Sky above = makeSky({.width = 32});
+    Sky above = makeSky({.resolution = 32});
     made.surroundings.environment = above.environment;
     made.surroundings.sun = above.sun;
     made.surroundings.intensity = 3.0f;
@@ -344,7 +344,7 @@ TEST(ShadowCatcher, mirrorsNoSky) {
         of->erase(of->begin(), of->begin() + 2);
     }
     made.surroundings.background = glm::vec3(7.0f);
-    Sky above = makeSky({.width = 32});
+    Sky above = makeSky({.resolution = 32});
     made.surroundings.sun = above.sun;
     const Caught caught = caughtBy(made, {.samples = 64});
     EXPECT_EQ(caught.mirrored, 0.0);

@@ -11,13 +11,13 @@
 namespace metamarch {
 namespace {
 
-constexpr std::uint32_t kWidth = 64;
+constexpr std::uint32_t kWidth = 64; // and as many rows
 
 Sky skyAt(float elevation, float azimuth = 0.0f, float haze = 1.0f) {
-    return makeSky({.sunElevation = elevation, .sunAzimuth = azimuth, .haze = haze, .width = kWidth});
+    return makeSky({.sunElevation = elevation, .sunAzimuth = azimuth, .haze = haze, .resolution = kWidth});
 }
 
-Sky skyAtFullWidth(float elevation) {
+Sky skyAtFullSize(float elevation) {
     SkySettings settings;
     settings.sunElevation = elevation;
     return makeSky(settings);
@@ -62,8 +62,8 @@ TEST(Sky, isFiniteAndNotNegativeUnderEverySun) {
         for (const float haze : {0.0f, 1.0f, 20.0f}) {
             const Sky sky = skyAt(elevation, 2.0f, haze);
             ASSERT_EQ(sky.environment.width, kWidth);
-            ASSERT_EQ(sky.environment.height, kWidth / 2);
-            ASSERT_EQ(sky.environment.texels.size(), kWidth * kWidth / 2);
+            ASSERT_EQ(sky.environment.height, kWidth);
+            ASSERT_EQ(sky.environment.texels.size(), kWidth * kWidth);
             for (const glm::vec3& texel : sky.environment.texels) {
                 for (int channel = 0; channel < 3; ++channel) {
                     ASSERT_TRUE(texel[channel] >= 0.0f && std::isfinite(texel[channel]))
@@ -107,14 +107,14 @@ TEST(Sky, isBlueAboveAndBrightestTowardsTheSun) {
     const Environment map = skyAt(0.6f, azimuth).environment;
     const glm::vec3 zenith = map.texels[kWidth / 2];
     EXPECT_GT(zenith.b, 1.5f * zenith.r);
-    const auto brightest = std::max_element(map.texels.begin(), map.texels.begin() + kWidth * kWidth / 5,
+    const auto brightest = std::max_element(map.texels.begin(), map.texels.begin() + kWidth * kWidth * 2 / 5,
                                             [](const glm::vec3& a, const glm::vec3& b) { return a.g < b.g; });
     const auto index = static_cast<std::size_t>(brightest - map.texels.begin());
     const std::size_t column = index % kWidth;
     const std::size_t row = index / kWidth;
-    const double texel = 2.0 * M_PI / kWidth; // radians
+    const double texel = 2.0 * M_PI / kWidth; // width in radians; the height is half of that
     const double foundAzimuth = (static_cast<double>(column) + 0.5) * texel - M_PI;
-    const double foundElevation = M_PI / 2.0 - (static_cast<double>(row) + 0.5) * texel;
+    const double foundElevation = M_PI / 2.0 - (static_cast<double>(row) + 0.5) * texel / 2.0;
     EXPECT_NEAR(foundAzimuth, azimuth, texel);
     EXPECT_NEAR(foundElevation, 0.6, 2.0 * texel);
 }
@@ -192,9 +192,9 @@ glm::dvec3 scatteredAlong(const glm::dvec3& direction, const glm::dvec3& sun) {
 TEST(Sky, isTheLightScatteredAlongEachLineOfSight) {
     for (const float elevation : {0.785398163f, 0.2f}) {
         const Sky sky = skyAt(elevation, 0.03f);
-        for (std::uint32_t y = 1; y < kWidth / 4; y += 5) {
+        for (std::uint32_t y = 1; y < kWidth / 2; y += 6) {
             for (std::uint32_t x = 0; x < kWidth; x += 7) {
-                const double polar = 2.0 * M_PI * (y + 0.5) / kWidth;
+                const double polar = M_PI * (y + 0.5) / kWidth;
                 const double azimuth = 2.0 * M_PI * ((x + 0.5) / kWidth - 0.5);
                 const glm::dvec3 direction(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                                            std::sin(polar) * std::sin(azimuth));
@@ -220,7 +220,7 @@ TEST(Sky, isThatOfItsSunEachTime) {
         return makeSurroundings({}, "scene", light);
     };
     const Surroundings first = surroundingsOf(0.5f, 0.0f, 1.0f);
-    EXPECT_EQ(first.environment->texels, skyAtFullWidth(0.5f).environment.texels);
+    EXPECT_EQ(first.environment->texels, skyAtFullSize(0.5f).environment.texels);
     const Surroundings brighter = surroundingsOf(0.5f, 0.0f, 4.0f);
     EXPECT_EQ(brighter.environment->texels, first.environment->texels);
     EXPECT_EQ(brighter.sun->strength, 4.0f * first.sun->strength);
@@ -231,7 +231,7 @@ TEST(Sky, isThatOfItsSunEachTime) {
 
 TEST(Sky, lightsItsGroundAsALambertian) {
     const SkySettings settings = {
-        .sunElevation = 0.6f, .groundAlbedo = glm::vec3(0.2f, 0.4f, 0.8f), .width = 256};
+        .sunElevation = 0.6f, .groundAlbedo = glm::vec3(0.2f, 0.4f, 0.8f), .resolution = 256};
     const Sky sky = makeSky(settings);
     const glm::dvec3 irradiance =
         skyIrradiance(sky.environment) + glm::dvec3(irradianceOf(sky.sun)) * double{sky.sun.direction.y};
@@ -240,7 +240,7 @@ TEST(Sky, lightsItsGroundAsALambertian) {
         EXPECT_NEAR(ground[channel], settings.groundAlbedo[channel] * irradiance[channel] / M_PI,
                     2e-3 * ground[channel]);
     }
-    EXPECT_EQ(sky.environment.texels[std::size_t{256} * 64], ground);
+    EXPECT_EQ(sky.environment.texels[std::size_t{256} * 128], ground);
 }
 
 } // namespace

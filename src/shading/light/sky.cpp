@@ -274,8 +274,8 @@ Sky makeSky(const SkySettings& settings) {
 
     Sky sky;
     Environment& map = sky.environment;
-    map.width = settings.width;
-    map.height = settings.width / 2;
+    map.width = settings.resolution;
+    map.height = settings.resolution;
     map.texels.resize(std::size_t{map.width} * map.height);
     const std::uint32_t skyRows = map.height / 2;
     const int parts = sun.y > 0.0 ? kAzimuths : static_cast<int>(map.width / 2);

@@ -13,7 +13,9 @@ struct SkySettings {
     float sunAzimuth = 0.0f;           // radians from +x towards +z, like the map's columns
     float haze = 1.0f;                 // amount of aerosols, 1 on a clear day; at least 0
     glm::vec3 groundAlbedo{0.3f};      // of the plain that fills the map below the horizon
-    std::uint32_t width = 1024;        // width of the map in texels; its height is half of that
+    // Number of columns and of rows of the map. The sky changes faster with the elevation than with the
+    // azimuth, so a texel is twice as wide as high. What filtering adds is below 1e-3 of the radiance.
+    std::uint32_t resolution = 512;
 
     bool operator==(const SkySettings&) const = default;
 };
