@@ -59,9 +59,11 @@ class FaultsTest(ProgramTest):
 
     def test_a_lost_device(self):
         """Before the first result there is no picture; after it, what was finished is written, and the header says how much."""
-        for at, samples, is_written in ((1, 2, False), (9, 2, False), (90, 4096, True)):
-            with self.subTest(at=at):
-                done = self.render(f"lostAt={at}", "a.exr", "--spp", str(samples), "--write-every", "0.001",
+        # With the fault deviceHeap the host does not see the device's memory, so each upload is a submission.
+        for faults, samples, is_written in (("lostAt=1", 2, False), ("lostAt=9,deviceHeap=1073741824", 2, False),
+                                            ("lostAt=90", 4096, True)):
+            with self.subTest(faults=faults):
+                done = self.render(faults, "a.exr", "--spp", str(samples), "--write-every", "0.001",
                                    "--aov", "samples")
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (NO_DEVICE, 1), done.stderr)
                 self.assertIn("DeviceLost", done.stderr)
@@ -71,9 +73,9 @@ class FaultsTest(ProgramTest):
                     self.assertEqual(min(min(row) for row in self.read_picture("a.exr")["samples"]), int(claimed[1]) if claimed else 64)
 
     def test_memory_that_runs_out(self):
-        for at in (1, 6, 30):
-            with self.subTest(at=at):
-                done = self.render(f"memoryEndsAt={at}", "a.exr")
+        for faults in ("memoryEndsAt=1", "memoryEndsAt=6", "memoryEndsAt=25", "memoryEndsAt=30,deviceHeap=1073741824"):
+            with self.subTest(faults=faults):
+                done = self.render(faults, "a.exr")
                 self.assertEqual((done.returncode, done.stderr.count("\n")), (TOO_LARGE, 1), done.stderr)
                 self.assertIn("does not fit into device memory", done.stderr)
 
