@@ -4,6 +4,7 @@
 #include "metamarch/shared/texture.h"
 
 #include <glm/gtc/packing.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -24,17 +25,36 @@ const std::array<float, 256>& decodedBytes() {
     return kDecoded;
 }
 
+// Returns, for each part of [0, 1], the first byte whose linear value is not below the part's begin.
+constexpr std::size_t kGuides = 4096;
+const std::array<std::uint8_t, kGuides>& firstBytes() {
+    static const std::array<std::uint8_t, kGuides> kFirst = [] {
+        std::array<std::uint8_t, kGuides> first{};
+        for (std::size_t i = 0; i < kGuides; ++i) {
+            const float begin = static_cast<float>(i) / kGuides;
+            const auto above = std::ranges::lower_bound(decodedBytes(), begin);
+            first[i] = static_cast<std::uint8_t>(above - decodedBytes().begin());
+        }
+        return first;
+    }();
+    return kFirst;
+}
+
+// Returns the byte whose linear value is the nearest, the larger one halfway between two.
 std::uint32_t srgbByte(const float linear) {
-    const auto& decoded = decodedBytes();
-    const auto above = std::ranges::lower_bound(decoded, linear);
-    if (above == decoded.begin()) {
+    if (!(linear > 0.0f)) {
         return 0;
     }
-    if (above == decoded.end()) {
+    if (linear >= 1.0f) {
         return 255;
     }
-    const bool isBelowNearer = linear - *(above - 1) < *above - linear;
-    return static_cast<std::uint32_t>(above - decoded.begin()) - (isBelowNearer ? 1u : 0u);
+    const auto& decoded = decodedBytes();
+    std::uint32_t above = firstBytes()[static_cast<std::size_t>(linear * kGuides)];
+    while (above < 255 && decoded[above] < linear) {
+        ++above;
+    }
+    const bool isBelowNearer = linear - decoded[above - 1] < decoded[above] - linear;
+    return above - (isBelowNearer ? 1u : 0u);
 }
 
 std::uint32_t plainByte(const float value) {
@@ -87,11 +107,14 @@ std::vector<std::uint32_t> wordsOf(const TextureImage& image) {
 
 std::vector<std::uint32_t> bytesOf(const MipLevel& level, const bool isSrgb) {
     const auto byteOf = isSrgb ? srgbByte : plainByte;
-    std::vector<std::uint32_t> words;
-    words.reserve(level.texels.size());
-    for (const glm::vec4& texel : level.texels) {
-        words.push_back(packed({byteOf(texel.r), byteOf(texel.g), byteOf(texel.b), plainByte(texel.a)}));
-    }
+    std::vector<std::uint32_t> words(level.texels.size());
+    constexpr std::size_t kGrain = 4096; // texels
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, words.size(), kGrain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const glm::vec4& texel = level.texels[i];
+            words[i] = packed({byteOf(texel.r), byteOf(texel.g), byteOf(texel.b), plainByte(texel.a)});
+        }
+    });
     return words;
 }
 
