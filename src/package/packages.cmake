@@ -1,6 +1,16 @@
 # SPDX-License-Identifier: MIT
-# `cpack` in the build folder makes three Debian packages: metamarch, the program with its viewer; metamarch-dev, the
-# libraries; python3-metamarch, the module.
+# `cpack` in the build folder makes Debian packages: metamarch, the program; metamarch-viewer, what its `view` becomes;
+# metamarch-dev, the libraries; python3-metamarch, the module.
+
+if(TARGET metamarch_without_viewer)
+    set(program metamarch_without_viewer)
+    set_target_properties(metamarch PROPERTIES INSTALL_RPATH "$ORIGIN")
+    install(TARGETS metamarch DESTINATION lib/metamarch COMPONENT viewer)
+else()
+    set(program metamarch)
+endif()
+set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/metamarch")
+install(TARGETS ${program} COMPONENT program)
 
 # A small OpenImageIO of tools/build_openimageio comes along. Debian's is a package that ours depend on.
 get_target_property(openimageio OpenImageIO::OpenImageIO IMPORTED_LOCATION_RELEASE)
@@ -11,6 +21,25 @@ if(place EQUAL 0)
     install(FILES ${libraries} DESTINATION lib/metamarch COMPONENT program)
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${folder})
 endif()
+
+# Debian's names of what find_package(metamarch) looks for.
+set(Debian_OpenImageIO libopenimageio-dev openimageio-tools) # its CMake files insist on its tools
+set(Debian_PkgConfig pkg-config libwebp-dev)
+set(Debian_TBB libtbb-dev)
+set(Debian_TinyGLTF libtinygltf-dev)
+set(Debian_Vulkan libvulkan-dev)
+set(Debian_draco libdraco-dev)
+set(Debian_fmt libfmt-dev)
+set(Debian_glm libglm-dev)
+set(Debian_meshoptimizer libmeshoptimizer-dev)
+set(Debian_nlohmann_json nlohmann-json3-dev)
+set(depends "")
+foreach(package IN LISTS ALL_PACKAGES)
+    if(NOT DEFINED Debian_${package})
+        message(FATAL_ERROR "packages.cmake does not know Debian's name of ${package}")
+    endif()
+    list(APPEND depends ${Debian_${package}})
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME metamarch)
@@ -25,8 +54,18 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME metamarch)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Path tracer for glTF scenes on Vulkan compute shaders")
+if(TARGET metamarch_without_viewer)
+    list(APPEND CPACK_COMPONENTS_ALL viewer)
+    set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS metamarch-viewer)
+    set(CPACK_DEBIAN_VIEWER_PACKAGE_NAME metamarch-viewer)
+    set(CPACK_DEBIAN_VIEWER_PACKAGE_SECTION graphics)
+    set(CPACK_DEBIAN_VIEWER_PACKAGE_DEPENDS "metamarch (= ${PROJECT_VERSION})")
+    set(CPACK_COMPONENT_VIEWER_DESCRIPTION "Viewer of metamarch, a path tracer for glTF scenes")
+endif()
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME metamarch-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+list(JOIN depends ", " depends)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ${depends})
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Libraries of metamarch, a path tracer for glTF scenes")
 if(TARGET metamarch_python)
     get_property(minor GLOBAL PROPERTY METAMARCH_PYTHON_MINOR)
