@@ -92,6 +92,21 @@ class FaultsTest(ProgramTest):
                 self.assertEqual("in host memory" in done.stderr, is_spilled, done.stderr)
                 self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
 
+    def test_division_that_is_off_by_2_ulp(self):
+        """Every traversal's hits agree with the stack traversal's on the CPU, and the picture is another in its last bits alone."""
+        for scene in ("objects.glb", "cornell.glb"):
+            with self.subTest(scene=scene):
+                done = self.run_with("roughDivision=1", "bench", "traversal", SCENES / scene, "--size", "64x48",
+                                     "--repeat", "1", "--seconds", "0")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.plain()
+        done = self.render("roughDivision=1", "rough.exr")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        plain, rough = self.read_picture("plain.exr"), self.read_picture("rough.exr")
+        differences = [abs(a - b) for rows in zip(plain["R"], rough["R"]) for a, b in zip(*rows)]
+        self.assertGreater(max(differences), 0.0)
+        self.assertLess(sum(differences) / len(differences), 1e-4)
+
 
 if __name__ == "__main__":
     main()

@@ -3,6 +3,8 @@
 // device that is lost, windows that change. Tests enable it by VK_INSTANCE_LAYERS=VK_LAYER_METAMARCH_faults
 // and say what goes wrong by METAMARCH_FAULTS, a list such as "storageBuffers=8,lostAt=3". An unknown word
 // ends the process, so that no test passes because of a typing error.
+#include "rough_division.h"
+
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -16,6 +18,7 @@
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -40,6 +43,7 @@ constexpr const char* kFaults[] = {
     "suboptimal",       // 1: every image is shown, but no longer fits
     "tenBitOnly",       // 1: windows take only 10 bits a colour
     "noOpaqueAlpha",    // 1: windows show what lies behind them
+    "roughDivision",    // 1: quotients are off by up to 2 ulp, and the device says that it is a discrete one
 };
 
 const std::map<std::string, std::uint64_t>& faults() {
@@ -94,9 +98,9 @@ constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties",
                                         "vkGetPhysicalDeviceSurfaceFormatsKHR",
                                         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR"};
 constexpr const char* kOfDevices[] = {
-    "vkAllocateMemory", "vkFreeMemory",          "vkGetBufferMemoryRequirements",
-    "vkQueueSubmit",    "vkWaitForFences",       "vkDeviceWaitIdle",
-    "vkQueueWaitIdle",  "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
+    "vkCreateShaderModule",  "vkAllocateMemory",     "vkFreeMemory",     "vkGetBufferMemoryRequirements",
+    "vkQueueSubmit",         "vkWaitForFences",      "vkDeviceWaitIdle", "vkQueueWaitIdle",
+    "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
 
 // What lies below an instance or a device. The functions are asked for while it is made: later the loader may
 // answer with those of the topmost layer.
@@ -173,7 +177,11 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
 
 // ---------------------------------------------------------------- properties
 
-void worsen(VkPhysicalDeviceLimits& limits) {
+void worsen(VkPhysicalDeviceProperties& properties) {
+    if (has("roughDivision")) { // a CPU keeps bits
+        properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+    }
+    VkPhysicalDeviceLimits& limits = properties.limits;
     limit("storageBuffers", limits.maxPerStageDescriptorStorageBuffers);
     limit("storageBuffers", limits.maxDescriptorSetStorageBuffers);
     limit("sampledImages", limits.maxPerStageDescriptorSampledImages);
@@ -187,14 +195,14 @@ void worsen(VkPhysicalDeviceLimits& limits) {
 VKAPI_ATTR void VKAPI_CALL getProperties(const VkPhysicalDevice physical,
                                          VkPhysicalDeviceProperties* const properties) {
     next<PFN_vkGetPhysicalDeviceProperties>(physical, "vkGetPhysicalDeviceProperties")(physical, properties);
-    worsen(properties->limits);
+    worsen(*properties);
 }
 
 VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
                                           VkPhysicalDeviceProperties2* const properties) {
     next<PFN_vkGetPhysicalDeviceProperties2>(physical, "vkGetPhysicalDeviceProperties2")(physical,
                                                                                          properties);
-    worsen(properties->properties.limits);
+    worsen(properties->properties);
     for (auto* part = static_cast<VkBaseOutStructure*>(properties->pNext); part != nullptr;
          part = part->pNext) {
         if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES) {
@@ -309,6 +317,24 @@ VKAPI_ATTR void VKAPI_CALL freeMemory(const VkDevice device, const VkDeviceMemor
         local.used -= found->second;
         local.allocations.erase(found);
     }
+}
+
+// ---------------------------------------------------------------- divisions
+
+VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(const VkDevice device,
+                                                  const VkShaderModuleCreateInfo* const info,
+                                                  const VkAllocationCallbacks* const memory,
+                                                  VkShaderModule* const module) {
+    const auto create = next<PFN_vkCreateShaderModule>(device, "vkCreateShaderModule");
+    if (!has("roughDivision")) {
+        return create(device, info, memory, module);
+    }
+    const std::vector<std::uint32_t> rough =
+        withRoughDivision({info->pCode, info->pCode + info->codeSize / sizeof(std::uint32_t)});
+    VkShaderModuleCreateInfo changed = *info;
+    changed.codeSize = rough.size() * sizeof(std::uint32_t);
+    changed.pCode = rough.data();
+    return create(device, &changed, memory, module);
 }
 
 // ---------------------------------------------------------------- memory, clocks, lost devices
@@ -455,6 +481,7 @@ PFN_vkVoidFunction find(const char* const name, const bool isOfDevices) {
     };
     static const Entry ofDevices[] = {
         entry("vkGetDeviceProcAddr", deviceAddress),
+        entry("vkCreateShaderModule", createShaderModule),
         entry("vkAllocateMemory", allocateMemory),
         entry("vkFreeMemory", freeMemory),
         entry("vkGetBufferMemoryRequirements", getRequirements),
