@@ -64,8 +64,8 @@ nlohmann::ordered_json reportStructure(const Scene& scene, const AccelerationStr
     report["bytes"]["table"] = byteSize(structure.table.words);
     report["bytes"]["exitBoxes"] = byteSize(structure.table.leaves);
     report["bytes"]["referenceBoxes"] =
-        byteSize(structure.table.framedLeaves) - byteSize(structure.table.leaves);
-    report["bytes"]["triangles"] = byteSize(structure.triangles) + byteSize(structure.table.triangles);
+        byteSize(structure.table.leafRecords) - byteSize(structure.table.leaves);
+    report["bytes"]["triangles"] = byteSize(structure.table.triangles);
     report["seconds"]["tree"] = structure.treeSeconds;
     report["seconds"]["table"] = structure.tableSeconds;
     report["trianglesPerSecond"] =

@@ -7,15 +7,16 @@
 #include "traversal/meta_table.glsl"
 
 uint leafBeside(const ivec3 cell) {
-    return isInLattice(cell, lattice.resolution) ? leafAt(cell, lattice.resolution) : kNoLeaf;
+    return isInLattice(cell, lattice.resolution) ? loadHead(wordAt(cell, lattice.resolution)).leafId
+                                                 : kNoLeaf;
 }
 
 CellFacts loadCellFacts(const CellPlace place) {
-    const uint leafId = leafAt(place.cell, lattice.resolution);
+    const LeafHead leaf = loadHead(wordAt(place.cell, lattice.resolution));
     const uvec3 beside = uvec3(leafBeside(place.cell + ivec3(place.side.x, 0, 0)),
                                leafBeside(place.cell + ivec3(0, place.side.y, 0)),
                                leafBeside(place.cell + ivec3(0, 0, place.side.z)));
-    return CellFacts(place, leafId, beside, loadFramedLeaf(leafId));
+    return CellFacts(place, leaf.leafId, beside, leaf.lo, leaf.hi);
 }
 
 void main() {

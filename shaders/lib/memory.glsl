@@ -24,4 +24,11 @@
 #define LOAD2(name, i) name[i]
 #define LOAD4(name, i) name[i]
 #endif
+
+// Returns words[i & 3].
+uint oneOf(const uvec4 words, const uint i) {
+    const uint lower = (i & 1u) != 0u ? words.y : words.x;
+    const uint upper = (i & 1u) != 0u ? words.w : words.z;
+    return (i & 2u) != 0u ? upper : lower;
+}
 #endif

@@ -9,15 +9,10 @@ WORDS4(metaTableWords, kBindTable);
 
 // Loads four words for one: llvmpipe loads single words by vpgatherdd, which processors that guard against
 // "gather data sampling" (Intel, 2023) execute ten times as slowly.
-uint loadTableWord(const uint i) {
-    const uvec4 words = LOAD4(metaTableWords, i >> 2u);
-    const uint lower = (i & 1u) != 0u ? words.y : words.x;
-    const uint upper = (i & 1u) != 0u ? words.w : words.z;
-    return (i & 2u) != 0u ? upper : lower;
-}
+uint loadTableWord(const uint i) { return oneOf(LOAD4(metaTableWords, i >> 2u), i); }
 
-// Returns the id of the leaf that contains the cell.
-uint leafAt(const ivec3 cell, const uvec3 resolution) {
+// Returns the word that names the leaf of the cell.
+uint wordAt(const ivec3 cell, const uvec3 resolution) {
     uint entry = loadTableWord(brickEntry(cell, resolution));
     if (isMixed(entry)) {
         entry = loadTableWord(cellEntry(entry, cell));

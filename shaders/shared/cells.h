@@ -34,13 +34,13 @@ struct CellFacts {
     CellPlace place;
     uint leafId;
     uvec3 leafBeside; // per axis, the leaf beyond that plane; kNoLeaf outside the lattice
-    Leaf leaf;
+    uint exitLo;      // packCell; the leaf's exit box
+    uint exitHi;
 };
 
 // Returns a placeholder for a miss.
 SHARED_FN CellFacts noCellFacts() {
-    return CellFacts(CellPlace(vec3(0.0f), ivec3(0), ivec3(0), vec3(0.0f)), kNoLeaf, uvec3(kNoLeaf),
-                     Leaf(0u, 0u, 0u, 0u));
+    return CellFacts(CellPlace(vec3(0.0f), ivec3(0), ivec3(0), vec3(0.0f)), kNoLeaf, uvec3(kNoLeaf), 0u, 0u);
 }
 
 // Returns how far the visible point moves in the triangle's plane if the ray turns to a neighbouring pixel's.
@@ -118,11 +118,11 @@ SHARED_FN vec3 cellBordersColor(const CellFacts facts, const vec3 span, const fl
 
 // Gives each box a colour, with dark lines at its borders.
 SHARED_FN vec3 exitBoxColor(const CellFacts facts, const vec3 span, const float cosine) {
-    const vec3 lo = vec3(unpackCell(facts.leaf.lo));
-    const vec3 hi = vec3(unpackCell(facts.leaf.hi));
+    const vec3 lo = vec3(unpackCell(facts.exitLo));
+    const vec3 hi = vec3(unpackCell(facts.exitHi));
     const vec3 gap = max(min(facts.place.position - lo, hi - facts.place.position), vec3(0.0f));
     const vec3 lines = lineCovers(gap, span, kBoxLine) * densityFades(hi - lo, span);
-    const vec3 color = shadedColor(idColor(facts.leaf.lo ^ hashed(facts.leaf.hi)), cosine);
+    const vec3 color = shadedColor(idColor(facts.exitLo ^ hashed(facts.exitHi)), cosine);
     return blend3(color, vec3(0.02f), 0.85f * largest(lines));
 }
 

@@ -3,9 +3,11 @@
 // faces and not with the volume of the lattice.
 //
 // The array begins with one word for each brick of kBrickSide^3 cells, in the order of cellIndex. If one leaf
-// contains the whole brick, the word is its id. Otherwise it is kMixed plus the index in the same array at
-// which the brick's cells begin; these have one word each, the id of the cell's leaf. If the resolution is
+// contains the whole brick, the word names it. Otherwise it is kMixed plus the index in the same array at
+// which the brick's cells begin; these have one word each, which names the cell's leaf. If the resolution is
 // not a multiple of kBrickSide, the last bricks extend beyond the lattice.
+//
+// Even cells name a leaf by the first entry of its record (shared/reference_box.h), uneven cells by its id.
 #ifndef METAMARCH_SHARED_META_TABLE_H
 #define METAMARCH_SHARED_META_TABLE_H
 #include "scene_layout.h"

@@ -3,9 +3,12 @@
 // test the triangle.
 //
 // The box contains the part of the triangle in the exit box, with the margin. A leaf's frame contains its
-// boxes. Leaves, frames and boxes are in one array of 16-byte entries. It begins with two entries for each
-// leaf: its Leaf and its LeafFrame. The boxes follow in groups of four, because on lavapipe each load costs
-// the same, whatever its size. src/accel/README.md says why no hit is lost.
+// boxes. src/accel/README.md says why no hit is lost.
+//
+// The march reads a leaf from a record: entries of 16 bytes that lie side by side, so that they share cache
+// lines. The first entry is the LeafHead; a leaf without triangles has no other. The LeafFrame follows, then
+// the boxes and then as many indices of triangle records, both in groups of four, because on lavapipe each
+// load costs the same, whatever its size. The table's words name the first entry.
 #ifndef METAMARCH_SHARED_REFERENCE_BOX_H
 #define METAMARCH_SHARED_REFERENCE_BOX_H
 #include "interval.h"
@@ -17,17 +20,25 @@ SHARED_BEGIN
 const uint kFrameStepsPerCell = 64u;
 const float kFrameStep = 0.015625f; // in cells
 
+struct LeafHead {
+    uint lo;     // packCell; the exit box
+    uint hi;     // packCell, exclusive
+    uint leafId; // names the leaf in views
+    uint triangleCount;
+};
+
 // The frame of a leaf's boxes. For each axis: where it begins, in 16 bits, and above them its length, at
 // least 1; both in steps.
 struct LeafFrame {
     uint x;
     uint y;
     uint z;
-    uint firstGroup; // index of the entry of the leaf's first group of boxes
+    uint firstIndices; // the entry of the leaf's first group of indices
 };
 
-SHARED_FN uint leafEntry(const uint leafId) { return 2u * leafId; }
-SHARED_FN uint frameEntry(const uint leafId) { return 2u * leafId + 1u; }
+// `record` is the first entry of a leaf's record.
+SHARED_FN uint frameEntry(const uint record) { return record + 1u; }
+SHARED_FN uint firstBoxes(const uint record) { return record + 2u; }
 
 SHARED_FN uint packFrameAxis(const uint first, const uint length) { return first | (length << 16u); }
 
@@ -94,7 +105,11 @@ SHARED_FN uint meetBoxes(const FrameCrossing frame, const uvec3 shift, const uve
 static_assert(kMaxLatticeResolution * kFrameStepsPerCell <= 0xffffu, "a frame's numbers have 16 bits");
 #endif
 SHARED_ASSERT_SIZE(LeafFrame, 16)
-SHARED_ASSERT_OFFSET(LeafFrame, firstGroup, 12)
+SHARED_ASSERT_OFFSET(LeafFrame, firstIndices, 12)
+SHARED_ASSERT_SIZE(LeafHead, 16)
+SHARED_ASSERT_OFFSET(LeafHead, hi, 4)
+SHARED_ASSERT_OFFSET(LeafHead, leafId, 8)
+SHARED_ASSERT_OFFSET(LeafHead, triangleCount, 12)
 
 SHARED_END
 #endif

@@ -11,9 +11,9 @@
 // loop ends outside the lattice. So there are at most as many steps as the sum of the three resolutions,
 // whatever the rounding errors.
 //
-// Cost per step: one table entry, or two where leaves meet in a brick, and one 16-byte leaf. A leaf with
-// triangles has a 16-byte frame, 16 bytes for each four references, and the triangles whose boxes the ray
-// meets. No memory per ray.
+// Cost per step: one table entry, or two where leaves meet in a brick, and the 16-byte head of a leaf. A leaf
+// with triangles has a 16-byte frame, 16 bytes for each four references, and for the triangles whose boxes
+// the ray meets an index and the triangle. No memory per ray.
 //
 // Ties: of hits with the same t, the one with the smaller triangle id wins (isCloser), so the order of tests
 // does not matter.
@@ -30,9 +30,10 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     }
     const uvec3 shift = nearPlaneShift(ray);
     BoxExit next = BoxExit(ray.tNear, cellAt(ray, ray.tNear, ivec3(0), ivec3(lattice.resolution)));
-    Leaf leaf = Leaf(0u, 0u, 0u, 0u);
+    LeafHead leaf = LeafHead(0u, 0u, 0u, 0u);
     FrameCrossing frame = FrameCrossing(vec3(0.0), vec3(0.0));
-    uint group = 0u;
+    uint group = 0u;       // entry of the next group of boxes
+    uint indices = 0u;     // entry of the first group of the leaf's indices
     vec2 span = vec2(0.0); // the part of the ray in the leaf's frame
     uint met = 0u;         // number of the leaf's references whose boxes the ray has met or missed
     uint left = 1u;        // not 0 while there is work left to do
@@ -52,14 +53,15 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
             do {
                 if (isStepping) {
                     ++trace.steps;
-                    const uint leafId = leafAt(next.cell, lattice.resolution);
-                    leaf = loadFramedLeaf(leafId);
+                    const uint record = wordAt(next.cell, lattice.resolution);
+                    leaf = loadHead(record);
                     const float tNear = next.t;
                     next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), next.cell);
                     if (leaf.triangleCount != 0u) {
-                        const LeafFrame stored = loadFrame(leafId);
+                        const LeafFrame stored = loadFrame(record);
                         frame = crossFrame(ray, stored);
-                        group = stored.firstGroup;
+                        group = firstBoxes(record);
+                        indices = stored.firstIndices;
                         span = crossReferenceBox(frame, shift, kWholeFrame,
                                                  vec2(tNear, smaller(next.t, trace.hit.t)));
                         leaf.triangleCount = span.x <= span.y ? leaf.triangleCount : 0u;
@@ -85,7 +87,8 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
             bool isTesting = candidates != 0u;
             do {
                 if (isTesting) {
-                    testTriangle(ray, leaf.firstTriangle + firstMet + uint(findLSB(candidates)), trace);
+                    const uint reference = firstMet + uint(findLSB(candidates));
+                    testTriangle(ray, loadTriangleIndex(indices, reference), trace);
                     candidates &= candidates - 1u;
                     isTesting = candidates != 0u && !isDone(trace, anyHit);
                 }

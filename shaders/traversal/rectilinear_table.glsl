@@ -35,7 +35,7 @@ void traverse(const Ray ray, const bool anyHit, inout Trace trace) {
     uint left = 1u;
     while (isOn) {
         ++trace.steps;
-        const Leaf leaf = loadLeaf(leafAt(cell, resolution));
+        const Leaf leaf = loadLeaf(wordAt(cell, resolution));
         testTriangles(ray, leaf.firstTriangle, leaf.triangleCount, trace);
         const ivec3 lo = unpackCell(leaf.lo);
         const ivec3 hi = unpackCell(leaf.hi);

@@ -33,12 +33,15 @@ bool choosesCells(const AccelerationOptions& options) {
 // Divides the number of cells if the table of a lattice chosen here exceeds its budget; then builds again.
 constexpr std::uint32_t kCoarser = 4;
 
-MetaTable buildTable(const LeafList& list, const Lattice& lattice, const AccelerationOptions& options,
-                     const std::uint64_t budget) {
+MetaTable buildTable(const LeafList& list, const TriangleMesh& mesh, const Lattice& lattice,
+                     const AccelerationOptions& options, const std::uint64_t budget) {
     MetaTable table = buildMetaTable(lattice.resolution, list.leaves, budget);
     if (options.exitBoxes) {
         growExitBoxes(list, table);
     }
+    const SharedTriangles shared = shareTriangles(list.leafTriangles, mesh.triangles.size());
+    table.triangles = makeTriangleRecords(mesh, shared.ids);
+    recordLeaves(lattice, shared.indices, table);
     return table;
 }
 
@@ -112,16 +115,13 @@ void build(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ids,
     result.treeSeconds = lap(clock);
     if (options.partition) {
         const auto list = listTriangles(result.lattice, options.partition->boxes, corners, ids);
-        result.table = buildTable(list, result.lattice, options, budget);
-        result.table.triangles = makeTriangleRecords(mesh, list.leafTriangles);
+        result.table = buildTable(list, mesh, result.lattice, options, budget);
     } else if (options.mergeLeaves) {
-        const LeafList list = mergeLeaves(result.lattice, result.tree);
-        result.table = buildTable(list, result.lattice, options, budget);
-        result.table.triangles = makeTriangleRecords(mesh, list.leafTriangles);
+        result.table =
+            buildTable(mergeLeaves(result.lattice, result.tree), mesh, result.lattice, options, budget);
     } else {
-        result.table = buildTable(result.tree, result.lattice, options, budget);
+        result.table = buildTable(result.tree, mesh, result.lattice, options, budget);
     }
-    result.table.framedLeaves = frameLeaves(result.lattice, result.table.leaves, result.tableTriangles());
     result.tableSeconds = lap(clock);
 }
 

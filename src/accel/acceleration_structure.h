@@ -21,12 +21,6 @@ struct AccelerationStructure {
     KdTree tree;
     MetaTable table;
     std::vector<TriangleRecord> triangles; // one per entry of tree.leafTriangles, in that order
-
-    // The triangle records in the order in which the table's leaves refer to them.
-    std::span<const TriangleRecord> tableTriangles() const {
-        return table.triangles.empty() ? triangles : table.triangles;
-    }
-
     std::uint32_t degenerateTriangles = 0; // number of degenerate triangles in the mesh; they lie in no leaf
     double treeSeconds = 0.0;              // wall-clock seconds
     double tableSeconds = 0.0;

@@ -181,8 +181,11 @@ TableOverBudget::TableOverBudget(const std::uint64_t budget)
 
 MetaTable buildMetaTable(const uvec3 resolution, const std::span<const Leaf> leaves,
                          const std::uint64_t budget) {
-    return {
-        {leaves.begin(), leaves.end()}, resolution, TableBuilder(resolution, leaves, budget).run(), {}, {}};
+    MetaTable table;
+    table.leaves.assign(leaves.begin(), leaves.end());
+    table.resolution = resolution;
+    table.words = TableBuilder(resolution, leaves, budget).run();
+    return table;
 }
 
 } // namespace metamarch

@@ -19,19 +19,27 @@ class TableOverBudget : public Error {
 };
 
 struct MetaTable {
-    std::vector<Leaf> leaves;         // indexed by leafId; each holds its exit box
-    uvec3 resolution;                 // cells per axis
-    std::vector<std::uint32_t> words; // layout: shared/meta_table.h
-    // The triangle records in the order of the table's leaves; empty if these are the kd-tree's leaves.
+    std::vector<Leaf> leaves; // indexed by leafId; each holds its exit box
+    uvec3 resolution;         // cells per axis
+    // Layout: shared/meta_table.h, with the ids of leaves.
+    std::vector<std::uint32_t> words;
+    // Even cells have each triangle once, uneven cells one for each reference, in the order of leaves.
     std::vector<TriangleRecord> triangles;
-    // The leaves again, with the boxes of their references: the array of shared/reference_box.h. Uneven cells
-    // have none.
-    std::vector<std::uint32_t> framedLeaves;
+    // What the march reads over even cells: records of leaves (shared/reference_box.h), and `words` with the
+    // first entries of these records in place of ids.
+    std::vector<std::uint32_t> leafRecords;
+    std::vector<std::uint32_t> recordWords;
 
     // Returns the id of the leaf that holds the cell.
-    std::uint32_t leafAt(const ivec3 cell) const {
-        const std::uint32_t entry = words[brickEntry(cell, resolution)];
-        return isMixed(entry) ? words[cellEntry(entry, cell)] : entry;
+    std::uint32_t leafAt(const ivec3 cell) const { return lookUp(words, cell); }
+
+    // Returns the first entry of the record of the leaf that holds the cell.
+    std::uint32_t recordAt(const ivec3 cell) const { return lookUp(recordWords, cell); }
+
+  private:
+    std::uint32_t lookUp(const std::vector<std::uint32_t>& from, const ivec3 cell) const {
+        const std::uint32_t entry = from[brickEntry(cell, resolution)];
+        return isMixed(entry) ? from[cellEntry(entry, cell)] : entry;
     }
 };
 

@@ -9,35 +9,42 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace metamarch {
 namespace {
 
-using Words = std::vector<std::uint32_t>;
-
 constexpr std::size_t kEntryWords = 4;
-static_assert(sizeof(Leaf) == kEntryWords * sizeof(std::uint32_t) && sizeof(LeafFrame) == sizeof(Leaf));
+static_assert(sizeof(LeafHead) == kEntryWords * sizeof(std::uint32_t) &&
+              sizeof(LeafFrame) == sizeof(LeafHead));
 static_assert(kBoxesPerGroup == kEntryWords);
 
-class BoxBuilder {
+class RecordBuilder {
   public:
-    BoxBuilder(const Lattice& usedLattice, const std::span<const Leaf> usedLeaves,
-               const std::span<const TriangleRecord> usedTriangles)
-        : lattice(usedLattice), margin(referenceMargin(usedLattice)), leaves(usedLeaves),
-          triangles(usedTriangles) {}
+    RecordBuilder(const Lattice& usedLattice, const std::span<const std::uint32_t> usedIndices,
+                  MetaTable& filledTable)
+        : lattice(usedLattice), margin(referenceMargin(usedLattice)), indices(usedIndices),
+          table(filledTable) {}
 
-    Words run() {
-        std::size_t end = leafEntry(static_cast<std::uint32_t>(leaves.size()));
-        std::vector<std::size_t> firstGroups(leaves.size());
-        for (std::size_t leafId = 0; leafId < leaves.size(); ++leafId) {
-            firstGroups[leafId] = end;
-            end += (leaves[leafId].triangleCount + (kBoxesPerGroup - 1)) / kBoxesPerGroup;
+    void run() {
+        std::vector<std::uint32_t> records(table.leaves.size());
+        std::size_t end = 0;
+        for (std::size_t leafId = 0; leafId < records.size(); ++leafId) {
+            records[leafId] = static_cast<std::uint32_t>(end);
+            const std::size_t groups = groupsOf(table.leaves[leafId]);
+            end += groups == 0 ? 1 : 2 + 2 * groups;
         }
-        words.assign(end * kEntryWords, kNoBox);
-        tbb::parallel_for(std::size_t{0}, leaves.size(),
-                          [&](const std::size_t leafId) { fill(leafId, firstGroups[leafId]); });
-        return std::move(words);
+        table.leafRecords.assign(end * kEntryWords, kNoBox);
+        tbb::parallel_for(std::size_t{0}, records.size(),
+                          [&](const std::size_t leafId) { fill(leafId, records[leafId]); });
+        const auto bricks = bricksAlong(table.resolution);
+        const std::size_t brickCount = std::size_t{bricks.x} * bricks.y * bricks.z;
+        table.recordWords.resize(table.words.size());
+        tbb::parallel_for(std::size_t{0}, table.words.size(), [&](const std::size_t i) {
+            const std::uint32_t word = table.words[i];
+            table.recordWords[i] = i < brickCount && isMixed(word) ? word : records[word];
+        });
     }
 
   private:
@@ -57,13 +64,22 @@ class BoxBuilder {
                 glm::clamp(part->hi + margin, glm::dvec3(0.0), end) * double{kFrameStepsPerCell}};
     }
 
-    void fill(const std::size_t leafId, const std::size_t firstGroup) {
-        const auto id = static_cast<std::uint32_t>(leafId);
-        const Leaf& leaf = leaves[leafId];
+    static std::size_t groupsOf(const Leaf& leaf) {
+        return (leaf.triangleCount + std::size_t{kBoxesPerGroup - 1}) / kBoxesPerGroup;
+    }
+
+    void fill(const std::size_t leafId, const std::uint32_t record) {
+        const Leaf& leaf = table.leaves[leafId];
+        const LeafHead head{leaf.lo, leaf.hi, static_cast<std::uint32_t>(leafId), leaf.triangleCount};
+        std::memcpy(entry(record), &head, sizeof head);
+        if (leaf.triangleCount == 0) {
+            return;
+        }
+        const std::span<const std::uint32_t> ofLeaf = indices.subspan(leaf.firstTriangle, leaf.triangleCount);
         std::vector<Box> boxes(leaf.triangleCount);
         Box all;
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-            boxes[i] = boxInSteps(leaf, triangles[leaf.firstTriangle + i]);
+            boxes[i] = boxInSteps(leaf, table.triangles[ofLeaf[i]]);
             all.grow(boxes[i]);
         }
         const bool isEmpty = all.lo.x > all.hi.x;
@@ -71,36 +87,53 @@ class BoxBuilder {
         const glm::dvec3 length = isEmpty ? glm::dvec3(1.0) : glm::max(glm::ceil(all.hi) - first, 1.0);
         const uvec3 begin(first);
         const uvec3 size(length);
+        const auto firstIndices = static_cast<std::uint32_t>(firstBoxes(record) + groupsOf(leaf));
         const LeafFrame frame{packFrameAxis(begin.x, size.x), packFrameAxis(begin.y, size.y),
-                              packFrameAxis(begin.z, size.z), static_cast<std::uint32_t>(firstGroup)};
-        std::memcpy(entry(leafEntry(id)), &leaf, sizeof leaf);
-        std::memcpy(entry(frameEntry(id)), &frame, sizeof frame);
+                              packFrameAxis(begin.z, size.z), firstIndices};
+        std::memcpy(entry(frameEntry(record)), &frame, sizeof frame);
         const glm::dvec3 partsPerStep = double{kBoxParts} / length;
+        std::uint32_t* const words = entry(firstBoxes(record));
         for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
             if (boxes[i].lo.x <= boxes[i].hi.x) {
-                entry(firstGroup)[i] =
-                    packReferenceBox(toParts(glm::floor((boxes[i].lo - first) * partsPerStep)),
-                                     toParts(glm::ceil((boxes[i].hi - first) * partsPerStep)));
+                words[i] = packReferenceBox(toParts(glm::floor((boxes[i].lo - first) * partsPerStep)),
+                                            toParts(glm::ceil((boxes[i].hi - first) * partsPerStep)));
             }
         }
+        // No ray meets the boxes behind the last reference, so their indices are never read.
+        std::ranges::copy(ofLeaf, entry(firstIndices));
     }
 
-    std::uint32_t* entry(const std::size_t i) { return &words[i * kEntryWords]; }
+    std::uint32_t* entry(const std::size_t i) { return &table.leafRecords[i * kEntryWords]; }
 
     static uvec3 toParts(const glm::dvec3& parts) { return uvec3(glm::clamp(parts, 0.0, double{kBoxParts})); }
 
     const Lattice& lattice;
     glm::dvec3 margin; // in cells
-    std::span<const Leaf> leaves;
-    std::span<const TriangleRecord> triangles;
-    Words words;
+    std::span<const std::uint32_t> indices;
+    MetaTable& table;
 };
 
 } // namespace
 
-std::vector<std::uint32_t> frameLeaves(const Lattice& lattice, const std::span<const Leaf> leaves,
-                                       const std::span<const TriangleRecord> triangles) {
-    return BoxBuilder(lattice, leaves, triangles).run();
+SharedTriangles shareTriangles(const std::span<const std::uint32_t> leafTriangles,
+                               const std::size_t triangleCount) {
+    constexpr std::uint32_t kNoPlace = 0xffffffffu;
+    std::vector<std::uint32_t> placeOf(triangleCount, kNoPlace);
+    SharedTriangles shared;
+    shared.indices.reserve(leafTriangles.size());
+    for (const std::uint32_t id : leafTriangles) {
+        std::uint32_t& place = placeOf[id];
+        if (place == kNoPlace) {
+            place = static_cast<std::uint32_t>(shared.ids.size());
+            shared.ids.push_back(id);
+        }
+        shared.indices.push_back(place);
+    }
+    return shared;
+}
+
+void recordLeaves(const Lattice& lattice, const std::span<const std::uint32_t> indices, MetaTable& table) {
+    RecordBuilder(lattice, indices, table).run();
 }
 
 } // namespace metamarch

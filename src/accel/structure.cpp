@@ -33,17 +33,18 @@ constexpr StructurePart kLeaves{"leaves", kBindLeaves, 4,
 constexpr StructurePart kNodes{"kd-tree nodes", kBindKdNodes, 2,
                                [](const Set& set) { return bytesOf(set.kdTree().tree.nodes); }};
 
-// An entry of a brick and one of a cell, few whole bricks lying near surfaces, and the leaf. Entries are
-// loaded with their neighbours, four words at once.
+// An entry of a brick and one of a cell, few whole bricks lying near surfaces, and the leaf or its head.
+// Entries are loaded with their neighbours, four words at once.
 constexpr std::uint64_t kTableVisit = 2 * (4 * sizeof(std::uint32_t)) + sizeof(Leaf);
 
 std::span<const Structure> structures() {
     static const Structure kStructures[] = {
         {"meta_table",
-         [](const Set& set) { return set.kdTree().tableTriangles(); },
+         [](const Set& set) -> Triangles { return set.kdTree().table.triangles; },
          {{"exit boxes with reference boxes", kBindLeaves, 4,
-           [](const Set& set) { return bytesOf(set.kdTree().table.framedLeaves); }},
-          {"meta table", kBindTable, 4, [](const Set& set) { return bytesOf(set.kdTree().table.words); }}},
+           [](const Set& set) { return bytesOf(set.kdTree().table.leafRecords); }},
+          {"meta table", kBindTable, 4,
+           [](const Set& set) { return bytesOf(set.kdTree().table.recordWords); }}},
          kTableVisit + sizeof(LeafFrame),
          [](const Set& set) { return set.kdTree().treeSeconds + set.kdTree().tableSeconds; }},
         // Three planes for the exit and, behind it, three look-ups with one plane each.

@@ -20,37 +20,36 @@ struct MarchTurn {
 };
 
 // Tests the triangles of a leaf whose boxes the ray meets within `inExit`, the part of the ray in the exit
-// box.
-inline void testLeaf(const AccelerationStructure& scene, const Ray& ray, const std::uint32_t leafId,
+// box. `record` is the first entry of the leaf's record.
+inline void testLeaf(const AccelerationStructure& scene, const Ray& ray, const std::uint32_t record,
                      const vec2 inExit, const HitQuery query, TraceResult& trace) {
-    const Leaf& leaf = scene.table.leaves[leafId];
-    if (leaf.triangleCount == 0) {
-        return;
-    }
-    const uvec3 shift = nearPlaneShift(ray);
-    const std::uint32_t* const words = scene.table.framedLeaves.data();
+    const std::uint32_t* const words = scene.table.leafRecords.data();
     const auto loadFour = [&](const std::size_t i) {
         return uvec4(words[4 * i], words[4 * i + 1], words[4 * i + 2], words[4 * i + 3]);
     };
-    const uvec4 stored = loadFour(frameEntry(leafId));
+    const std::uint32_t triangleCount = loadFour(record).w;
+    if (triangleCount == 0) {
+        return;
+    }
+    const uvec3 shift = nearPlaneShift(ray);
+    const uvec4 stored = loadFour(frameEntry(record));
     const FrameCrossing frame = crossFrame(ray, {stored.x, stored.y, stored.z, stored.w});
     const vec2 span =
         crossReferenceBox(frame, shift, kWholeFrame, {inExit.x, smaller(inExit.y, trace.hit.t)});
     if (span.x > span.y) {
         return;
     }
-    for (std::uint32_t round = 0; round < leaf.triangleCount && !isDone(trace, query);
-         round += kMostCandidates) {
-        const std::uint32_t end = std::min(leaf.triangleCount, round + kMostCandidates);
+    const std::uint32_t* const indices = &words[4 * std::size_t{stored.w}];
+    for (std::uint32_t round = 0; round < triangleCount && !isDone(trace, query); round += kMostCandidates) {
+        const std::uint32_t end = std::min(triangleCount, round + kMostCandidates);
         std::uint32_t candidates = 0;
         for (std::uint32_t met = round; met < end; met += kBoxesPerGroup) {
-            const uvec4 boxes = loadFour(stored.w + met / kBoxesPerGroup);
+            const uvec4 boxes = loadFour(firstBoxes(record) + met / kBoxesPerGroup);
             candidates |= meetBoxes(frame, shift, boxes, span) << (met - round);
         }
         for (; candidates != 0 && !isDone(trace, query); candidates &= candidates - 1) {
-            testTriangle(
-                scene.tableTriangles(), ray,
-                leaf.firstTriangle + round + static_cast<std::uint32_t>(std::countr_zero(candidates)), trace);
+            const std::uint32_t reference = round + static_cast<std::uint32_t>(std::countr_zero(candidates));
+            testTriangle(scene.table.triangles, ray, indices[reference], trace);
         }
     }
 }
@@ -80,7 +79,7 @@ template <Invariants invariants, class Observer>
                             "the table names a leaf that does not hold the cell");
         const BoxExit next = leaveBox(ray, lo, hi, cell);
         require<invariants>(movedOn(cell, next.cell, upward), "the march did not move on");
-        testLeaf(scene, ray, leafId, {tNear, next.t}, query, trace);
+        testLeaf(scene, ray, scene.table.recordAt(cell), {tNear, next.t}, query, trace);
         observe(MarchTurn{cell, leafId, leaf, trace});
         if (isDone(trace, query)) {
             return trace;

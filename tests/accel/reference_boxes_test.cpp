@@ -80,37 +80,84 @@ class ReferenceBoxes : public testing::TestWithParam<NamedScene> {
     const AccelerationStructure structure = buildAccelerationStructure(scene, GetParam().options);
     const MetaTable& table = structure.table;
 
-    LeafFrame frameOf(const std::uint32_t leafId) const {
-        const std::uint32_t* const words = &table.framedLeaves[4 * std::size_t{frameEntry(leafId)}];
+    LeafHead headOf(const std::uint32_t record) const {
+        const std::uint32_t* const words = wordsOf(record);
         return {words[0], words[1], words[2], words[3]};
     }
 
-    // Returns the index of the word of the leaf's first box.
-    std::size_t firstBox(const std::uint32_t leafId) const {
-        return std::size_t{frameOf(leafId).firstGroup} * kBoxesPerGroup;
+    LeafFrame frameOf(const std::uint32_t record) const {
+        const std::uint32_t* const words = wordsOf(frameEntry(record));
+        return {words[0], words[1], words[2], words[3]};
     }
 
-    float test(const Ray& ray, const Leaf& leaf, const std::uint32_t reference) const {
-        const TriangleRecord& triangle = structure.tableTriangles()[leaf.firstTriangle + reference];
+    std::uint32_t box(const std::uint32_t record, const std::uint32_t reference) const {
+        return wordsOf(firstBoxes(record))[reference];
+    }
+
+    const TriangleRecord& triangle(const std::uint32_t record, const std::uint32_t reference) const {
+        return table.triangles.at(wordsOf(frameOf(record).firstIndices)[reference]);
+    }
+
+    float test(const Ray& ray, const TriangleRecord& triangle) const {
         return intersectTriangle(ray, triangle.v0, triangle.v1, triangle.v2);
+    }
+
+  private:
+    const std::uint32_t* wordsOf(const std::uint32_t entry) const {
+        return &table.leafRecords.at(4 * std::size_t{entry});
     }
 };
 
-// The words behind a leaf's last box are never met, so the march needs no count. Each leaf begins where the
+// The words behind a leaf's last box are never met, so the march needs no count. Each record begins where the
 // one before it ends.
-TEST_P(ReferenceBoxes, lieInGroupsOfTheirLeaf) {
-    std::size_t end = 2 * table.leaves.size() * kBoxesPerGroup;
+TEST_P(ReferenceBoxes, lieInTheRecordOfTheirLeaf) {
+    std::uint32_t record = 0;
     for (std::uint32_t leafId = 0; leafId < table.leaves.size(); ++leafId) {
-        ASSERT_EQ(std::memcmp(&table.framedLeaves[4 * std::size_t{leafEntry(leafId)}], &table.leaves[leafId],
-                              sizeof(Leaf)),
-                  0);
-        ASSERT_EQ(firstBox(leafId), end);
-        end += table.leaves[leafId].triangleCount;
-        for (; end % kBoxesPerGroup != 0; ++end) {
-            ASSERT_EQ(table.framedLeaves.at(end), kNoBox);
+        const Leaf& leaf = table.leaves[leafId];
+        const LeafHead head = headOf(record);
+        ASSERT_EQ(head.lo, leaf.lo);
+        ASSERT_EQ(head.hi, leaf.hi);
+        ASSERT_EQ(head.leafId, leafId);
+        ASSERT_EQ(head.triangleCount, leaf.triangleCount);
+        if (leaf.triangleCount == 0) {
+            ++record;
+            continue;
+        }
+        const std::uint32_t groups = (leaf.triangleCount + kBoxesPerGroup - 1) / kBoxesPerGroup;
+        for (std::uint32_t i = leaf.triangleCount; i < groups * kBoxesPerGroup; ++i) {
+            ASSERT_EQ(box(record, i), kNoBox);
+        }
+        ASSERT_EQ(frameOf(record).firstIndices, firstBoxes(record) + groups);
+        record = frameOf(record).firstIndices + groups;
+    }
+    EXPECT_EQ(table.leafRecords.size(), 4 * std::size_t{record});
+}
+
+// A cell's record is that of its leaf, and has the leaf's triangles in their order.
+TEST_P(ReferenceBoxes, areFoundByTheCellsOfTheirLeaf) {
+    const uvec3 resolution = structure.lattice.resolution;
+    // Without merging and partition the table has the leaves of the tree.
+    const bool hasTreesLeaves = !GetParam().options.mergeLeaves && !GetParam().options.partition;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        const ivec3 cell(uvec3(i * 7919u, i * 104729u, i * 1299709u) % resolution);
+        const std::uint32_t record = table.recordAt(cell);
+        const std::uint32_t leafId = table.leafAt(cell);
+        ASSERT_EQ(headOf(record).leafId, leafId);
+        const Leaf& leaf = table.leaves[leafId];
+        for (std::uint32_t k = 0; hasTreesLeaves && k < leaf.triangleCount; ++k) {
+            ASSERT_EQ(triangle(record, k).triangleId, structure.tree.leafTriangles[leaf.firstTriangle + k]);
         }
     }
-    EXPECT_EQ(table.framedLeaves.size(), end);
+}
+
+TEST_P(ReferenceBoxes, shareARecordForEachTriangle) {
+    std::vector<std::uint32_t> ids;
+    for (const TriangleRecord& triangle : table.triangles) {
+        ids.push_back(triangle.triangleId);
+        ASSERT_EQ(triangle.v0, scene.positions[scene.triangles[triangle.triangleId].x]);
+    }
+    std::ranges::sort(ids);
+    EXPECT_EQ(ids, nonDegenerateTriangles(scene));
 }
 
 // The march with every test. A hit belongs to the first leaf that the ray leaves behind it; there the ray
@@ -128,23 +175,22 @@ TEST_P(ReferenceBoxes, areMetByEveryRayThatHitsTheTriangleInTheLeaf) {
         BoxExit next{ray.tNear, cellAt(ray, ray.tNear, ivec3(0), ivec3(resolution))};
         float reached = ray.tNear;
         while (isInLattice(next.cell, resolution)) {
-            const std::uint32_t leafId = table.leafAt(next.cell);
-            const Leaf& leaf = table.leaves[leafId];
-            const auto [lo, hi] = boxOf(leaf);
+            const std::uint32_t record = table.recordAt(next.cell);
+            const LeafHead leaf = headOf(record);
             const float tNear = next.t;
-            next = leaveBox(ray, lo, hi, next.cell);
-            const FrameCrossing frame = crossFrame(ray, frameOf(leafId));
+            next = leaveBox(ray, unpackCell(leaf.lo), unpackCell(leaf.hi), next.cell);
+            const FrameCrossing frame =
+                leaf.triangleCount == 0 ? FrameCrossing{} : crossFrame(ray, frameOf(record));
             const uvec3 shift = nearPlaneShift(ray);
             for (std::uint32_t i = 0; i < leaf.triangleCount; ++i) {
-                const float t = test(ray, leaf, i);
+                const float t = test(ray, triangle(record, i));
                 const bool isHit = t != kNoHit && t >= reached && t <= next.t && t <= ray.tMax;
                 // The narrowest span that holds the hit asks most of the box.
                 const vec2 span = isHit ? vec2(t, t) : vec2(tNear, next.t);
                 const vec2 inFrame = crossReferenceBox(frame, shift, kWholeFrame, span);
-                const vec2 inBox =
-                    crossReferenceBox(frame, shift, table.framedLeaves[firstBox(leafId) + i], inFrame);
+                const vec2 inBox = crossReferenceBox(frame, shift, box(record, i), inFrame);
                 ASSERT_TRUE(!isHit || inBox.x <= inBox.y)
-                    << describe(query) << ": triangle " << i << " of leaf " << leafId << " at " << t;
+                    << describe(query) << ": triangle " << i << " of leaf " << leaf.leafId << " at " << t;
                 hits += isHit ? 1u : 0u;
                 met += inBox.x <= inBox.y ? 1u : 0u;
                 ++references;
@@ -155,7 +201,7 @@ TEST_P(ReferenceBoxes, areMetByEveryRayThatHitsTheTriangleInTheLeaf) {
     if (references > 0) {
         EXPECT_GT(hits, 0u);
     }
-    if (table.framedLeaves.size() > 800) {
+    if (table.leaves.size() > 100) {
         EXPECT_LT(10 * met, 7 * references);
     }
 }
@@ -165,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ReferenceBoxes, testing::ValuesIn(kScenes),
 
 TEST(ReferenceBox, isNotMadeWithoutTriangles) {
     const MetaTable table = buildAccelerationStructure(noTriangles(), {}).table;
-    EXPECT_EQ(table.framedLeaves.size(), 2 * table.leaves.size() * kBoxesPerGroup); // leaves and frames
+    EXPECT_EQ(table.leafRecords.size(), 4 * table.leaves.size()); // heads
 }
 
 TEST(ReferenceBox, thatFillsAGroupIsMetByNoRay) {
@@ -190,21 +236,28 @@ TEST(ReferenceBox, isRoundedOutwardsToParts) {
     lattice.extent = 4.0f;
     lattice.cellsPerUnit = glm::vec3(1.0f);
     lattice.resolution = glm::uvec3(4);
-    const Leaf leaf{packCell({0, 0, 0}), packCell({4, 4, 4}), 0, 2};
-    const TriangleRecord triangles[] = {{{1, 1, 1}, 0, {2.5f, 1, 1}, 0, {1, 2.5f, 1}, 0},
-                                        {{1, 1, 1}, 1, {1.25f, 1, 1}, 0, {1, 1.5f, 1}, 0}};
-    const std::vector<std::uint32_t> words = frameLeaves(lattice, std::span(&leaf, 1), triangles);
-    ASSERT_EQ(words.size(), 12u);
+    MetaTable table;
+    table.resolution = lattice.resolution;
+    table.leaves = {{packCell({0, 0, 0}), packCell({4, 4, 4}), 0, 2}};
+    table.words = {0, 0, 0, 0};
+    table.triangles = {{{1, 1, 1}, 0, {1.25f, 1, 1}, 0, {1, 1.5f, 1}, 0},
+                       {{1, 1, 1}, 1, {2.5f, 1, 1}, 0, {1, 2.5f, 1}, 0}};
+    const std::uint32_t indices[] = {1, 0};
+    recordLeaves(lattice, indices, table);
+    const std::vector<std::uint32_t>& words = table.leafRecords;
+    ASSERT_EQ(words.size(), 16u);
     EXPECT_EQ(words[4], packFrameAxis(63, 98));
     EXPECT_EQ(words[5], packFrameAxis(63, 98));
     EXPECT_EQ(words[6], packFrameAxis(63, 2));
-    EXPECT_EQ(words[7], 2u);
+    EXPECT_EQ(words[7], 3u);
     // 1 to 2.5 cells are steps 1 to 97 of 98: parts 0.3 to 30.7. 1.25 cells are step 17: part 5.4, and 1.5
     // are step 33: part 10.4.
     EXPECT_EQ(words[8], packReferenceBox({0, 0, 15}, {31, 31, 16}));
     EXPECT_EQ(words[9], packReferenceBox({0, 0, 15}, {6, 11, 16}));
     EXPECT_EQ(words[10], kNoBox);
     EXPECT_EQ(words[11], kNoBox);
+    EXPECT_EQ(words[12], 1u);
+    EXPECT_EQ(words[13], 0u);
 }
 
 } // namespace

@@ -35,10 +35,12 @@ class InfoTest(ProgramTest):
         self.assertEqual((report["table"]["cells"], report["bytes"]["table"]), (216, (1 + 8**3 + 3) * 4))  # a brick, padded
         leaves, references = report["table"]["leaves"], report["tree"]["references"]
         self.assertEqual(report["bytes"]["exitBoxes"], 16 * leaves)
-        boxes = report["bytes"]["referenceBoxes"] - 16 * leaves  # a frame for each leaf, and groups of four boxes
-        self.assertEqual(boxes % 16, 0)
-        self.assertGreaterEqual(boxes, 4 * references)
-        self.assertLess(boxes, 4 * references + 16 * leaves)
+        # A frame for each leaf with triangles, and groups of four boxes and of four indices.
+        boxes = report["bytes"]["referenceBoxes"] - 16 * report["tree"]["leaves"]
+        self.assertEqual(boxes % 32, 0)
+        self.assertGreaterEqual(boxes, 8 * references)
+        self.assertLess(boxes, 8 * references + 32 * report["tree"]["leaves"])
+        self.assertEqual(report["bytes"]["triangles"], 48 * report["triangles"])
 
     def test_scale(self):
         report = self.info(SCENES / "cornell.glb", "--scale", "-2")

@@ -34,7 +34,7 @@ CellFacts cellFacts(const AccelerationStructure& scene, const CellPlace& place) 
             uvec3(leafBeside(scene, place.cell + ivec3(place.side.x, 0, 0)),
                   leafBeside(scene, place.cell + ivec3(0, place.side.y, 0)),
                   leafBeside(scene, place.cell + ivec3(0, 0, place.side.z))),
-            scene.table.leaves[leafId]};
+            scene.table.leaves[leafId].lo, scene.table.leaves[leafId].hi};
 }
 
 } // namespace

@@ -70,7 +70,10 @@ const StructLayout kStructs[] = {
      {MEMBER(Leaf, lo), MEMBER(Leaf, hi), MEMBER(Leaf, firstTriangle), MEMBER(Leaf, triangleCount)}},
     {"LeafFrame",
      sizeof(LeafFrame),
-     {MEMBER(LeafFrame, x), MEMBER(LeafFrame, y), MEMBER(LeafFrame, z), MEMBER(LeafFrame, firstGroup)}},
+     {MEMBER(LeafFrame, x), MEMBER(LeafFrame, y), MEMBER(LeafFrame, z), MEMBER(LeafFrame, firstIndices)}},
+    {"LeafHead",
+     sizeof(LeafHead),
+     {MEMBER(LeafHead, lo), MEMBER(LeafHead, hi), MEMBER(LeafHead, leafId), MEMBER(LeafHead, triangleCount)}},
     {"KdNode", sizeof(KdNode), {MEMBER(KdNode, tag), MEMBER(KdNode, target)}},
     {"KdParent",
      sizeof(KdParent),
@@ -260,7 +263,8 @@ struct WordBuffer {
 
 const WordBuffer kWordBuffers[] = {
     {"leafWordsBuffer", "Leaf"},
-    {"leafWordsBuffer", "LeafFrame"}, // in the table's leaves, and groups of four boxes: all have one size
+    {"leafWordsBuffer", "LeafHead"},
+    {"leafWordsBuffer", "LeafFrame"}, // and groups of four boxes and of four indices: all have one size
     {"kdNodeWordsBuffer", "KdNode"},
     {"kdParentWordsBuffer", "KdParent"},
     {"bvhNodeWordsBuffer", "BvhNode"},
