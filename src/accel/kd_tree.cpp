@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 namespace metamarch {
 namespace {
@@ -157,13 +158,25 @@ class Builder {
         const std::size_t chunkCount = (references.size() + kChunk - 1) / kChunk;
         std::vector<Children> chunks(chunkCount);
         tbb::parallel_for(std::size_t{0}, chunkCount, [&](const std::size_t chunk) {
-            const std::size_t end = std::min(references.size(), (chunk + 1) * kChunk);
-            for (std::size_t i = chunk * kChunk; i < end; ++i) {
+            const std::size_t begin = chunk * kChunk;
+            const std::size_t end = std::min(references.size(), begin + kChunk);
+            chunks[chunk].below.reserve(end - begin);
+            chunks[chunk].above.reserve(end - begin);
+            for (std::size_t i = begin; i < end; ++i) {
                 hand(references[i], cut, boxBelow, boxAbove, chunks[chunk]);
             }
         });
-        Children children = std::move(chunks.front());
-        for (std::size_t i = 1; i < chunkCount; ++i) {
+        if (chunkCount == 1) {
+            return std::move(chunks.front());
+        }
+        Children children;
+        const auto countOf = [&](References Children::*const side) {
+            return std::transform_reduce(chunks.begin(), chunks.end(), std::size_t{0}, std::plus(),
+                                         [side](const Children& chunk) { return (chunk.*side).size(); });
+        };
+        children.below.reserve(countOf(&Children::below));
+        children.above.reserve(countOf(&Children::above));
+        for (std::size_t i = 0; i < chunkCount; ++i) {
             children.below.insert(children.below.end(), chunks[i].below.begin(), chunks[i].below.end());
             children.above.insert(children.above.end(), chunks[i].above.begin(), chunks[i].above.end());
         }
