@@ -137,5 +137,33 @@ class PaperTest(ProgramTest):
         self.assertIn("tools/fetch_scenes", line)
 
 
+class SizesTest(ProgramTest):
+    def plot(self, *words):
+        return subprocess.run([str(SOURCE / "tools" / "plot_sizes"), *words], cwd=self.tmp, capture_output=True, text=True,
+                              check=False)
+
+    def test_every_size_has_its_rows_and_a_picture(self):
+        plot = self.plot("sizes", "400", "1600")
+        if "matplotlib" in plot.stderr:
+            self.assertEqual((plot.returncode, len(plot.stderr.splitlines())), (1, 1))
+            return
+        self.assertEqual((plot.returncode, plot.stderr), (0, ""))
+        rows = [line.split(" | ") for line in (self.tmp / "sizes" / "sizes.md").read_text().splitlines()[4:]]
+        self.assertEqual([(row[0], row[1], row[4]) for row in rows],
+                         [(f"| {size}", traversal, rays) for size in (400, 1600) for rays in ("close", "diffuse")
+                          for traversal in ("meta_table", "bvh_stack")])
+        for row in rows:
+            for number in (*row[2:4], *row[5:7], row[7].rstrip(" |")):
+                self.assertGreaterEqual(float(number), 0)
+        for name in ("sizes.svg", "sizes.png"):
+            self.assertGreater((self.tmp / "sizes" / name).stat().st_size, 1000)
+
+    def test_wrong_words_have_one_line(self):
+        for words in ((), ("sizes", "1e3"), ("sizes", "99"), ("sizes", "20000001")):
+            plot = self.plot(*words)
+            self.assertEqual((plot.returncode, len(plot.stderr.splitlines())), (1, 1), words)
+            self.assertFalse((self.tmp / "sizes").exists())
+
+
 if __name__ == "__main__":
     main()
