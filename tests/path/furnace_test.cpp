@@ -71,7 +71,9 @@ TEST(PathFurnace, thinGlass) {
     for (int i = 0; i <= 10; i += 2) {
         Material material = glass(1.5f, 0.1f * static_cast<float>(i));
         material.thicknessFactor = 0.0f;
-        EXPECT_NEAR(furnace(material), 1.0, 0.005) << describe(material.roughnessFactor);
+        PathWork many = kWork;
+        many.samples = 256; // at roughness 1 the noise of 64 is 0.3 %
+        EXPECT_NEAR(furnace(material, many), 1.0, 0.005) << describe(material.roughnessFactor);
     }
 }
 

@@ -18,7 +18,7 @@ class ShadersTest(ViewerTest):
         viewer = self.open(CORNELL, "--spp", "2", "--shaders", folder)
         viewer.wait_for_samples()
         before = viewer.wait_for_still()
-        line = 1 + bad[:bad.index("nothing")].count("\n")
+        line = 1 + bad[:bad.index("nothing of the kind")].count("\n")
         kernel.write_text(bad)
         viewer.wait_for_line(rf"shader error: .*kernels/path\.glsl:{line}: .*")
         self.assertNotEqual(viewer.wait_for_still(), before)  # a panel shows the whole error
