@@ -103,10 +103,10 @@ SHARED_FN bool isFromCatcher(const Path path) {
 // Returns true for a path that is on its way from the catcher to what the catcher mirrors.
 SHARED_FN bool isFromMirror(const Path path) { return path.isMirrored && path.bounce == 1u; }
 
-// What a ray meets: nothing that is there for it, an object, or a lamp. With kFeatureCatcher.
+// What a ray meets: nothing that is there for it, an object, or a lamp.
 const uint kNothing = 0u;
 const uint kObject = 1u;
-const uint kLamp = 2u; // is there without objects too
+const uint kLamp = 2u; // with kFeatureCatcher; is there without objects too
 
 // What is in the way of a ray. A ray that leaves the catcher goes on through objects until it meets a lamp or
 // leaves the scene, so `last` may differ from `first`.
@@ -175,14 +175,14 @@ SHARED_FN PathSample afterLeaving(const PathSample arriving, const Path ended) {
 SHARED_FN PathSample afterShadow(const PathSample lit, const vec3 gain, const InWay inWay) {
     PathSample next = lit;
     const bool isFree = inWay.first == kNothing;
+    const vec3 left = hasFeature(kFeatureThinGlass) ? gain * inWay.tint : gain;
     if (isFree) {
-        const vec3 left = hasFeature(kFeatureThinGlass) ? gain * inWay.tint : gain;
         next.path.radiance = lit.path.radiance + left;
         next.light = addLight(lit.light, scatterings(lit.path), left);
     }
     if (hasFeature(kFeatureCatcher) &&
         (isFromCatcher(lit.path) ? inWay.last != kLamp : lit.path.isOfLamp && isFree)) {
-        next.path.unblocked = lit.path.unblocked + gain;
+        next.path.unblocked = lit.path.unblocked + left;
     }
     return next;
 }
@@ -332,7 +332,7 @@ SHARED_FN InWay meetInWay(SCENE_PARAMETER const InWay before, const Ray ray, con
                           const PixelSample at, const uint dimension, const Passing passed) {
     InWay inWay = before;
     inWay.last = kindOf(SCENE ray, triangle, at, dimension, passed.material);
-    if (hasFeature(SCENE kFeatureThinGlass) && passed.isThroughPanes && inWay.last == kObject) {
+    if (hasFeature(SCENE kFeatureThinGlass) && passed.isThroughPanes && inWay.last != kNothing) {
         const vec3 through = throughPane(SCENE ray, triangle);
         if (largest(through) > 0.0f) {
             inWay.tint = before.tint * through;
@@ -371,10 +371,16 @@ SHARED_FN Path leaveScene(SCENE_PARAMETER const PathSettings settings, const Pat
     return ended;
 }
 
+// Returns true if the surface bounds a volume that refracts colours differently.
+SHARED_FN bool isDispersive(const MaterialRecord record) {
+    return hasFeature(kFeatureDispersion) && record.dispersion > 0.0f &&
+           (record.flags & kSurfaceVolume) != 0u;
+}
+
 // Chooses the colour channel that a path keeps in dispersive volumes.
 SHARED_FN Path chooseChannel(const Path path, const MaterialRecord record, const PixelSample at) {
     Path chosen = path;
-    if (hasFeature(kFeatureDispersion) && record.dispersion > 0.0f && path.channel == kNoChannel) {
+    if (isDispersive(record) && path.channel == kNoChannel) {
         const float u = sample1d(at, bounceDimension(path.bounce, kBounceChannel));
         chosen.channel = min(uint(u * 3.0f), 2u);
         chosen.throughput = path.throughput * channelMask(chosen.channel);
@@ -489,7 +495,7 @@ SHARED_FN Path scatter(const Path path, const MaterialRecord record, const uint 
 }
 
 SHARED_FN float iorFor(const Path path, const MaterialRecord record) {
-    return hasFeature(kFeatureDispersion) && path.channel != kNoChannel
+    return isDispersive(record) && path.channel != kNoChannel
                ? dispersedIor(record.ior, record.dispersion, path.channel)
                : record.ior;
 }
