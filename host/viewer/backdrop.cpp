@@ -44,6 +44,15 @@ std::vector<glm::vec3> reduced(const ShadingScene& scene) {
     return means;
 }
 
+// Poses of an animation are scenes of their own under the same map.
+bool hasSameSurroundings(const ShadingScene& a, const ShadingScene& b) {
+    return &a == &b || (a.settings.environmentWidth == b.settings.environmentWidth &&
+                        a.settings.environmentCosine == b.settings.environmentCosine &&
+                        a.settings.environmentSine == b.settings.environmentSine &&
+                        a.settings.environmentScale == b.settings.environmentScale &&
+                        a.settings.background == b.settings.background && a.environment == b.environment);
+}
+
 } // namespace
 
 ShadingScene blurredSurroundings(const ShadingScene& scene) {
@@ -93,10 +102,10 @@ void Backdrop::follow(const BackdropChoice& choice, const std::shared_ptr<const 
         const glm::vec3 color = choice.color;
         set({1, 1}, {{srgbLinear(color.x), srgbLinear(color.y), srgbLinear(color.z), 0.0f}});
     } else {
-        if (scene_ != scene) {
+        if (!scene_ || !hasSameSurroundings(*scene_, *scene)) {
             blurred_ = blurredSurroundings(*scene);
-            scene_ = scene;
         }
+        scene_ = scene;
         std::vector<glm::vec4> texels;
         const glm::vec2 field = glm::vec2(camera.width, camera.height) / glm::vec2(kMostTexels);
         for (std::uint32_t y = 0; y < kMostTexels.y; ++y) {

@@ -22,12 +22,13 @@ void KeptPictures::keep(const Shown slot, const glm::uvec2 size) {
 }
 
 void KeptPictures::paint(vulkan::Commands& commands, const Screen& screen, const Shown shown) {
-    old_.reset(); // the frame that used it has been drawn
-    if (shown != Shown::present && kept_[indexOf(shown)].picture.pixels) {
+    // A slot that is to be replaced takes what the screen has, and not its own picture of before.
+    if (shown != Shown::present && has(shown) && !kept_[indexOf(shown)].next.pixels) {
         const OnDevice& picture = kept_[indexOf(shown)].picture;
         stretched_.record(commands, *picture.pixels, picture.size, screen);
     }
     for (Kept& kept : kept_) {
+        kept.old = {}; // the frame that used it has been drawn
         if (!kept.next.pixels) {
             continue;
         }
@@ -36,7 +37,7 @@ void KeptPictures::paint(vulkan::Commands& commands, const Screen& screen, const
         }
         commands.copy(screen.pixels, 0, *kept.next.pixels, 0, kept.next.pixels->size());
         kept.next.isBlueFirst = screen.isBlueFirst;
-        old_ = std::exchange(kept.picture, std::exchange(kept.next, {})).pixels;
+        kept.old = std::exchange(kept.picture, std::exchange(kept.next, {}));
     }
 }
 

@@ -24,7 +24,13 @@ class KeptPictures {
     // it, and then keeps what the screen has, if that is wanted.
     void paint(vulkan::Commands& commands, const Screen& screen, Shown shown);
 
-    // Returns the pixels of A or B, which has been painted, as those of Presenter::Frame.
+    // Forgets A and B. No frame may be drawn meanwhile.
+    void forget() { kept_ = {}; }
+
+    // Returns true if the picture of A or B is there: one frame after keep().
+    bool has(Shown slot) const { return kept_[indexOf(slot)].picture.pixels.has_value(); }
+
+    // Returns the pixels of A or B, which has() has, as those of Presenter::Frame.
     struct Picture {
         std::vector<std::uint32_t> pixels;
         glm::uvec2 size;
@@ -40,13 +46,13 @@ class KeptPictures {
     struct Kept {
         OnDevice picture;
         OnDevice next; // is to replace it
+        OnDevice old;  // was replaced in the frame that may still be drawn
     };
     static std::size_t indexOf(Shown slot) { return slot == Shown::b ? 1 : 0; }
 
     const vulkan::Device& device_;
     StretchedPicture stretched_;
     std::array<Kept, kKeptSlots.size()> kept_;
-    std::optional<vulkan::Buffer> old_; // of the frame that may still be drawn
 };
 
 } // namespace metamarch::viewer

@@ -109,7 +109,8 @@ class Viewer {
             }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
-            player.playAnimations(seconds, scenes.isBusy() || isKeptShown(), state);
+            // Behind a kept view the time of an animation stands still.
+            player.playAnimations(isKeptShown() ? 0.0 : seconds, scenes.isBusy() || isKeptShown(), state);
             player.playMarch(seconds, state);
             fitHeat();
             followOrShow(before);
@@ -212,6 +213,7 @@ class Viewer {
             recentFiles.add(state.file);
             state.history.start(camera);
             state.kept.forget();
+            keptPictures.forget();
             state.playback.isPlaying = false;
         }
         if (isFirst && options.hasTour) {
@@ -318,6 +320,10 @@ class Viewer {
             state.say("of a kept view there is no film: go back with Esc, or save its picture");
             return;
         }
+        if (!keptPictures.has(state.kept.shown())) {
+            state.say("the picture is on its way: save it when it is there");
+            return;
+        }
         const KeptPictures::Picture picture = keptPictures.picture(state.kept.shown());
         try {
             state.say("saved " + saver.saveWindow(picture.pixels, picture.size, state.file.stem().string()));
@@ -391,8 +397,10 @@ class Viewer {
             return;
         }
         try {
-            keptPictures.keep(slot, state.size);
-            state.kept.keep(slot, {state.camera, state.settings});
+            if (state.kept.shown() != slot) {
+                keptPictures.keep(slot, state.size);
+                state.kept.keep(slot, {state.camera, state.settings});
+            }
             state.say(fmt::format("kept as {}", nameOf(slot)));
         } catch (const Error& error) {
             state.say(error.what());
