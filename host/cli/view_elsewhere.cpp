@@ -17,6 +17,9 @@ namespace {
 void becomeProgramWithViewer() {
     std::error_code error;
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error) {
+        return;
+    }
     const std::filesystem::path other = own.parent_path().parent_path() / "lib/metamarch/metamarch";
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     std::vector<std::string> words;

@@ -179,7 +179,7 @@ bool Buffer::writeFromHost(const std::span<const std::byte> data) {
     }
     try {
         std::memcpy(handles_->memory.mapMemory(0, VK_WHOLE_SIZE), data.data(), data.size());
-    } catch (const vk::MemoryMapFailedError&) { // no address space: the caller copies in parts
+    } catch (const vk::SystemError&) { // too little memory or address space: the caller copies in parts
         return false;
     }
     handles_->memory.unmapMemory();

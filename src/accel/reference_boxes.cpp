@@ -5,6 +5,7 @@
 #include "metamarch/accel/lattice.h"
 #include "metamarch/accel/triangle_box.h"
 #include "metamarch/accel/triangle_clip.h"
+#include "metamarch/error/error.h"
 #include "metamarch/shared/reference_box.h"
 
 #include <tbb/parallel_for.h>
@@ -34,6 +35,9 @@ class RecordBuilder {
             records[leafId] = static_cast<std::uint32_t>(end);
             const std::size_t groups = groupsOf(table.leaves[leafId]);
             end += groups == 0 ? 1 : 2 + 2 * groups;
+        }
+        if (end > kMixed) { // entries of the table cannot name more
+            throw Error(ErrorKind::outOfMemory, "the records of the meta table's leaves exceed 32 GiB");
         }
         table.leafRecords.assign(end * kEntryWords, kNoBox);
         tbb::parallel_for(std::size_t{0}, records.size(),
