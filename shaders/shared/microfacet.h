@@ -46,8 +46,8 @@ SHARED_FN float facetPassage(const float cosOut, const float lengthOut, const fl
     return 2.0f * seen / (2.0f * seen + shadowed);
 }
 
-// Which of the facets visible from wo are sampled: all (bound 1), or those that can mirror wo above the
-// surface, and few others.
+// Which of the facets visible from wo are sampled: all (bound 1), or as few as the bound allows that contain
+// all that mirror wo above the surface.
 struct FacetBound {
     float bound;   // in [0, 1], of the height of the spherical cap
     float density; // of a sampled facet, relative to that among all visible ones
