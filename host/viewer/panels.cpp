@@ -162,8 +162,8 @@ void drawBackdrop(Settings& settings) {
     }
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s",
-                          "The light stays the same. Over nothing, P saves a transparent picture; Ctrl+S "
-                          "saves a transparent film over all but the surroundings.");
+                          "The light stays the same. Over nothing, P saves a transparent picture. Where "
+                          "the surroundings are not shown, Ctrl+S saves a transparent film.");
     }
     if (settings.backdrop.kind == Kind::solid) {
         ImGui::ColorEdit3("colour", &settings.backdrop.color.x);
