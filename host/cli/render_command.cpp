@@ -32,9 +32,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
-#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -73,8 +71,7 @@ class RenderJob {
     void run();
 
   private:
-    void beginToOpenDevice();
-    void endToOpenDevice(bool isNeeded);
+    void openDevice();
     void openCheckpoint();
     void loadScene();
     void render();
@@ -94,7 +91,6 @@ class RenderJob {
     std::optional<Denoiser> denoiser_;
     std::optional<vulkan::Context> context_;
     std::optional<vulkan::Device> device_;
-    std::future<void> opening_; // of the device
     std::optional<Checkpoint> checkpoint_;
     std::optional<render::FilmFile> resumed_;
     std::shared_ptr<const Scene> scene_;
@@ -108,27 +104,15 @@ class RenderJob {
     double buildSeconds_ = 0.0;
 };
 
-// Loading the driver takes as long as a small scene.
-void RenderJob::beginToOpenDevice() {
+// Before the long work: there may be no device that fits.
+void RenderJob::openDevice() {
     if (options_.backend == Backend::gpu) {
-        opening_ = std::async(std::launch::async, [this] {
-            context_.emplace();
-            device_.emplace(*context_, options_.device);
-            render::requireTraversal(device_->report(), settings_.traversal);
-        });
+        context_.emplace();
+        device_.emplace(*context_, options_.device);
+        render::requireTraversal(device_->report(), settings_.traversal);
+        log_.end(fmt::format("device {}, {} {}", device_->name(), device_->report().driver,
+                             device_->report().driverInfo));
     }
-}
-
-// Waits for the device if `isNeeded`. Otherwise throws only if it is known by now that no device fits, so
-// that the long work ends early.
-void RenderJob::endToOpenDevice(const bool isNeeded) {
-    if (!opening_.valid() ||
-        (!isNeeded && opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)) {
-        return;
-    }
-    opening_.get();
-    log_.end(fmt::format("device {}, {} {}", device_->name(), device_->report().driver,
-                         device_->report().driverInfo));
 }
 
 void RenderJob::openCheckpoint() {
@@ -150,7 +134,6 @@ void RenderJob::loadScene() {
     checkOutputsDiffer(outputsOf(options_), companionsOf(*scene_));
     log_.end(fmt::format("scene of {} triangles, {} materials, {} textures", scene_->triangles.size(),
                          scene_->materials.size(), scene_->textures.size()));
-    endToOpenDevice(false);
     const glm::vec2 size(options_.size);
     sceneCamera_ = chooseCamera(*scene_, options_.view, size.x / size.y);
     camera_ = makeCamera(sceneCamera_, options_.size.x, options_.size.y, options_.view.lens);
@@ -168,13 +151,11 @@ void RenderJob::loadScene() {
     buildSeconds_ = build.seconds();
     printWarnings(render::warningsOf(*prepared_->structure));
     log_.end("tree and table");
-    endToOpenDevice(false);
     if (!settings_.isPrimary()) {
         prepared_->light(options_.scenePath, settings_.path, options_.light);
         printWarnings(prepared_->lightWarnings);
         log_.end("light and materials");
     }
-    endToOpenDevice(true);
     if (device_) {
         onDevice_.emplace(*device_, *prepared_);
         log_.end("scene on the device");
@@ -337,7 +318,7 @@ void RenderJob::run() {
         denoiser_.emplace();
     }
     openCheckpoint();
-    beginToOpenDevice();
+    openDevice();
     loadScene();
     render();
 }

@@ -41,7 +41,7 @@ std::span<const Structure> structures() {
     static const Structure kStructures[] = {
         {"meta_table",
          [](const Set& set) -> Triangles { return set.kdTree().table.triangles; },
-         {{"records of leaves", kBindLeaves, 4,
+         {{"array of leaf records", kBindLeaves, 4,
            [](const Set& set) { return bytesOf(set.kdTree().table.leafRecords); }},
           {"meta table", kBindTable, 4,
            [](const Set& set) { return bytesOf(set.kdTree().table.recordWords); }}},

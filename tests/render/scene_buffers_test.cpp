@@ -89,11 +89,11 @@ TEST_F(SceneBuffers, refuseATableOverTheLimit) {
     expectError(ErrorKind::outOfMemory, "choose a smaller tree depth or fewer cells", load);
 }
 
-TEST_F(SceneBuffers, refuseExitBoxesOverTheLimit) {
+TEST_F(SceneBuffers, refuseLeafRecordsOverTheLimit) {
     AccelerationStructure large = structure;
     const std::uint64_t limit = limitFor(1);
     large.table.leafRecords.resize(limit / sizeof(std::uint32_t) + 1);
-    expectError(ErrorKind::outOfMemory, "exit boxes",
+    expectError(ErrorKind::outOfMemory, "array of leaf records",
                 [&] { render::SceneBuffers(vulkan::testDevice(), large, shading, limit); });
 }
 
