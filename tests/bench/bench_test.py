@@ -126,7 +126,7 @@ class PaperTest(ProgramTest):
                               cwd=self.tmp, capture_output=True, text=True, check=False)
         if "matplotlib" in plot.stderr:
             self.assertEqual((plot.returncode, len(plot.stderr.splitlines())), (1, 1))
-            return
+            self.skipTest("pictures need python3-matplotlib")
         self.assertEqual((plot.returncode, plot.stderr), (0, ""))
         for name in ("fig9.svg", "fig9.png", "fig10.svg", "fig10.png"):
             self.assertGreater((self.tmp / "paper" / name).stat().st_size, 1000)
@@ -146,7 +146,7 @@ class SizesTest(ProgramTest):
         plot = self.plot("sizes", "400", "1600")
         if "matplotlib" in plot.stderr:
             self.assertEqual((plot.returncode, len(plot.stderr.splitlines())), (1, 1))
-            return
+            self.skipTest("pictures need python3-matplotlib")
         self.assertEqual((plot.returncode, plot.stderr), (0, ""))
         rows = [line.split(" | ") for line in (self.tmp / "sizes" / "sizes.md").read_text().splitlines()[4:]]
         self.assertEqual([(row[0], row[1], row[4]) for row in rows],
