@@ -42,7 +42,7 @@ class Buffer {
     // Submission that writes them.
     std::span<std::byte> mapped() const { return mapped_; }
     // Writes the first bytes of a device-local buffer that no submission has used yet. Returns false, and
-    // writes nothing, where the host does not see device memory.
+    // writes nothing, where the host does not see or cannot map device memory.
     bool writeFromHost(std::span<const std::byte> data);
 
   private:

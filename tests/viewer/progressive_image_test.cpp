@@ -53,6 +53,16 @@ class Progressive : public testing::Test {
         }
     }
 
+    // Expects the filtered picture `before` to be dark in the next frame, and back in the one after it.
+    void expectFollowsTones(const std::vector<std::uint32_t>& before) {
+        image.setTone({.exposure = -30.0f});
+        frame();
+        EXPECT_EQ(image.shownPixels(), std::vector<std::uint32_t>(before.size(), 0xff000000u));
+        image.setTone({});
+        frame();
+        EXPECT_EQ(image.shownPixels(), before);
+    }
+
     std::vector<std::uint32_t> filmPixels(const ToneMapping& tone = {}) const {
         std::vector<std::uint32_t> pixels;
         for (const FilmPixel& pixel : image.film().pixels) {
@@ -117,13 +127,7 @@ TEST_F(Progressive, filteredPictureFollowsTheTones) {
     image.setFilter(true);
     start(64);
     advanceTo(1);
-    const auto before = image.shownPixels();
-    image.setTone({.exposure = -30.0f});
-    frame();
-    EXPECT_EQ(image.shownPixels(), std::vector<std::uint32_t>(before.size(), 0xff000000u));
-    image.setTone({});
-    frame();
-    EXPECT_EQ(image.shownPixels(), before);
+    expectFollowsTones(image.shownPixels());
 }
 
 // The tones do not wait for the next filtered picture, which is on its way.
@@ -140,12 +144,7 @@ TEST_F(Progressive, filteredPictureFollowsTheTonesAtOnce) {
     ASSERT_TRUE(image.advance(1e-9)); // a few rows
     frame();
     EXPECT_EQ(image.shownPixels(), before);
-    image.setTone({.exposure = -30.0f});
-    frame();
-    EXPECT_EQ(image.shownPixels(), std::vector<std::uint32_t>(before.size(), 0xff000000u));
-    image.setTone({});
-    frame();
-    EXPECT_EQ(image.shownPixels(), before);
+    expectFollowsTones(before);
     advanceTo(3); // behind the filtered picture of two samples
     EXPECT_NE(image.shownPixels(), before);
 }
