@@ -43,9 +43,10 @@ std::vector<RayQuery> cameraRays(const Camera& camera) {
     rays.reserve(std::size_t{camera.width} * camera.height);
     for (uint top = 0; top < camera.height; top += kTileSide) {
         for (uint left = 0; left < camera.width; left += kTileSide) {
-            for (uint y = top; y < std::min(top + kTileSide, camera.height); ++y) {
-                for (uint x = left; x < std::min(left + kTileSide, camera.width); ++x) {
-                    const CameraRay view = cameraRay(camera, x, y);
+            for (uint i = 0; i < kTilePixels; ++i) {
+                const uvec2 pixel = uvec2(left, top) + pixelInTile(i);
+                if (pixel.x < camera.width && pixel.y < camera.height) {
+                    const CameraRay view = cameraRay(camera, pixel.x, pixel.y);
                     rays.push_back({view.origin, 0.0f, view.dir, kFarthest});
                 }
             }

@@ -249,9 +249,10 @@ PathTracer::TileSums PathTracer::readSums() const {
 // The place in a film of the area of pixel i of the tiles; kOutside for one that is only in the tile.
 std::size_t PathTracer::indexInArea(const std::uint32_t i) const {
     const std::uint32_t tile = tileAt(order, tiles.first + i / kTilePixels);
-    const std::uint32_t x = tile % order.perRow * kTileSide + i % kTileSide;
-    const std::uint32_t y = tile / order.perRow * kTileSide + i % kTilePixels / kTileSide;
-    return x < area.width() && y < area.height() ? std::size_t{y} * area.width() + x : kOutside;
+    const uvec2 corner = uvec2(tile % order.perRow, tile / order.perRow) * kTileSide;
+    const uvec2 pixel = corner + pixelInTile(i % kTilePixels);
+    return pixel.x < area.width() && pixel.y < area.height() ? std::size_t{pixel.y} * area.width() + pixel.x
+                                                             : kOutside;
 }
 
 // The inverse of tileAt().
@@ -272,8 +273,8 @@ FilmPixel PathTracer::pixel(const std::uint32_t x, const std::uint32_t y) const 
     }
     const std::uint32_t tile = place - tiles.first;
     const DeviceFilm::Band& band = deviceFilm.bands()[tile / deviceFilm.tilesOfBand()];
-    const std::uint64_t index = std::uint64_t{tile % deviceFilm.tilesOfBand()} * kTilePixels +
-                                std::uint64_t{y % kTileSide} * kTileSide + x % kTileSide;
+    const std::uint64_t index =
+        std::uint64_t{tile % deviceFilm.tilesOfBand()} * kTilePixels + placeInTile(x, y);
     std::array<FilmPixel, 2> pair;
     vulkan::read(device, band.total, index * sizeof(FilmPixel),
                  std::as_writable_bytes(std::span(pair).first(1)));

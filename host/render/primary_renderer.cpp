@@ -18,16 +18,14 @@ constexpr std::uint32_t kTilesPerSubmission = 1u << 13u;
 // Returns true if every pixel has its sample.
 bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
               const std::uint32_t perRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
-    const std::uint32_t left = tileIndex % perRow * kTileSide;
-    const std::uint32_t top = tileIndex / perRow * kTileSide;
-    const std::uint32_t width = std::min(kTileSide, camera.width - left);
-    const std::uint32_t height = std::min(kTileSide, camera.height - top);
+    const uvec2 corner = uvec2(tileIndex % perRow, tileIndex / perRow) * kTileSide;
     bool isWhole = true;
-    for (std::uint32_t row = 0; row < height; ++row) {
-        const auto shown = tile.subspan(std::size_t{row} * kTileSide, width);
-        const std::size_t first = std::size_t{top + row} * camera.width + left;
-        std::ranges::copy(shown, pixels.begin() + static_cast<std::ptrdiff_t>(first));
-        isWhole = isWhole && std::ranges::none_of(shown, [](const FilmPixel& p) { return p.samples == 0; });
+    for (std::uint32_t i = 0; i < kTilePixels; ++i) {
+        const uvec2 at = corner + pixelInTile(i);
+        if (at.x < camera.width && at.y < camera.height) {
+            pixels[std::size_t{at.y} * camera.width + at.x] = tile[i];
+            isWhole = isWhole && tile[i].samples != 0;
+        }
     }
     return isWhole;
 }

@@ -10,7 +10,7 @@ layout(local_size_x = kTilePixels) in;
 // of its pixels. The pixel may be outside the picture.
 uvec2 pixelAt(const TileOrder order, const uint place) {
     const uint tile = tileAt(order, place);
-    const uvec2 inTile = uvec2(gl_LocalInvocationIndex % kTileSide, gl_LocalInvocationIndex / kTileSide);
-    return uvec2(tile % order.perRow, tile / order.perRow) * kTileSide + inTile;
+    const uvec2 corner = uvec2(tile % order.perRow, tile / order.perRow) * kTileSide;
+    return corner + pixelInTile(gl_LocalInvocationIndex);
 }
 #endif

@@ -10,6 +10,17 @@ SHARED_BEGIN
 const uint kTileSide = 8u;
 const uint kTilePixels = 64u;
 
+// The pixels of a tile are ordered in blocks of 4 x 2, so that the eight or sixteen lanes of a vector, or the
+// 32 of a warp, have a compact part of it.
+SHARED_FN uvec2 pixelInTile(const uint i) {
+    return uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
+}
+
+// Returns the place of a pixel in its tile, the inverse of pixelInTile. x and y may be those in a picture.
+SHARED_FN uint placeInTile(const uint x, const uint y) {
+    return (x & 3u) | ((y & 1u) << 2u) | ((x & 4u) << 1u) | ((y & 6u) << 3u);
+}
+
 // The order in which the tiles of a picture are drawn. Neighbours in this order are far from each other in
 // the picture: a submission has tiles from everywhere, so its time tells how long the next one takes. With
 // rows from top to bottom, the first one below a cheap sky could take a hundred times as long.

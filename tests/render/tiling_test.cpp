@@ -31,6 +31,31 @@ TEST(TileOrder, visitsEachTileOnce) {
     }
 }
 
+TEST(TileOrder, visitsEachPixelOfATileOnce) {
+    for (std::uint32_t i = 0; i < kTilePixels; ++i) {
+        const uvec2 pixel = pixelInTile(i);
+        EXPECT_LT(pixel.x, kTileSide);
+        EXPECT_LT(pixel.y, kTileSide);
+        EXPECT_EQ(placeInTile(pixel.x, pixel.y), i);
+        EXPECT_EQ(placeInTile(pixel.x + 3 * kTileSide, pixel.y + 5 * kTileSide), i);
+    }
+}
+
+TEST(TileOrder, hasACompactBlockForEachVector) {
+    for (const auto& [lanes, block] : {std::pair(4u, uvec2(4, 1)), std::pair(8u, uvec2(4, 2)),
+                                       std::pair(16u, uvec2(8, 2)), std::pair(32u, uvec2(8, 4))}) {
+        for (std::uint32_t first = 0; first < kTilePixels; first += lanes) {
+            uvec2 lo(kTileSide);
+            uvec2 hi(0);
+            for (std::uint32_t i = first; i < first + lanes; ++i) {
+                lo = min(lo, pixelInTile(i));
+                hi = max(hi, pixelInTile(i) + 1u);
+            }
+            EXPECT_EQ(hi - lo, block) << lanes << " lanes from " << first;
+        }
+    }
+}
+
 TEST(TileOrder, holdsPartsOfTilesAtTheEdge) {
     const Tiling tiling(PixelRect{3, 5, 3 + 17, 5 + 8});
     EXPECT_EQ(tiling.order.perRow, 3u);
