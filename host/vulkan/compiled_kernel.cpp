@@ -2,6 +2,7 @@
 #include "metamarch/vulkan/compiled_kernel.h"
 
 #include "metamarch/vulkan/dead_branches.h"
+#include "metamarch/vulkan/else_branches.h"
 
 #include <algorithm>
 
@@ -37,8 +38,11 @@ CompiledKernel::CompiledKernel(const vk::raii::Device& device, const vk::raii::P
     }
     const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
                                                 values.size() * sizeof(uint32_t), values.data());
-    const std::vector<uint32_t> spirv =
+    std::vector<uint32_t> spirv =
         withExactFloats(withoutDeadBranches(source.spirv, source.specialization), source.floatModes);
+    if (source.isWithoutElse) {
+        spirv = withoutElseBranches(spirv);
+    }
     const vk::raii::ShaderModule module(device, {{}, spirv.size() * sizeof(uint32_t), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &specialization);

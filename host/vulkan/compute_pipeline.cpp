@@ -65,7 +65,8 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
                                            bindings,
                                            pushConstantSize_,
                                            info.specialization,
-                                           device.report().floatModes});
+                                           device.report().floatModes,
+                                           device.report().doublesAtElse});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));

@@ -84,6 +84,7 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
     report.driver = driver.driverName.data();
     report.driverInfo = driver.driverInfo.data();
+    report.doublesAtElse = driver.driverID == vk::DriverId::eGoogleSwiftshader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     report.maxMemoryAllocationSize =
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;

@@ -46,6 +46,7 @@ struct DeviceReport {
     uint32_t maxPushConstantsSize = 0;               // bytes
     uint32_t subgroupSize = 0;                       // invocations
     FloatModes floatModes;                           // which of them every kernel can have
+    bool doublesAtElse = false;                      // in time to compile, see withoutElseBranches
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.
     std::vector<std::string> missingForRayQuery; // extensions and features; empty: ray queries are available

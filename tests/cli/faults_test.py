@@ -57,6 +57,13 @@ class FaultsTest(ProgramTest):
                 self.assertIn(limit, done.stderr)
                 self.assertFalse((self.tmp / "a.exr").exists())
 
+    def test_a_driver_that_gets_kernels_without_else(self):
+        """The kernels that SwiftShader gets compute the same."""
+        plain = self.plain()
+        done = self.render("driver=10", "a.exr")  # VK_DRIVER_ID_GOOGLE_SWIFTSHADER
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((self.tmp / "a.exr").read_bytes(), plain)
+
     def test_a_lost_device(self):
         """Before the first result there is no picture; after it, what was finished is written, and the header says how much."""
         # With the fault deviceHeap the host does not see the device's memory, so each upload is a submission.

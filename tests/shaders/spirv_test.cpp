@@ -4,6 +4,7 @@
 #include "metamarch/shared/features.h"
 #include "metamarch/shared/shading_layout.h"
 #include "metamarch/vulkan/dead_branches.h"
+#include "metamarch/vulkan/else_branches.h"
 #include "metamarch/vulkan/exact_floats.h"
 #include "metamarch/vulkan/spirv_instructions.h"
 #include "shaders/spirv_layout.h"
@@ -11,8 +12,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <queue>
+#include <set>
 #include <span>
 #include <spirv-tools/libspirv.hpp>
+#include <spirv-tools/optimizer.hpp>
 #include <spirv/unified1/spirv.hpp>
 #include <stdexcept>
 #include <string>
@@ -229,6 +234,141 @@ TEST(DeadBranches, changeNothingInADamagedModule) {
     const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0, 1, 0, 15};
     EXPECT_EQ(vulkan::withoutDeadBranches(damaged, {}), damaged);
     EXPECT_EQ(vulkan::withoutDeadBranches({}, {}), std::vector<uint32_t>());
+}
+
+// The branches of a module whose only function is main.
+struct Branches {
+    std::map<uint32_t, std::vector<uint32_t>> targets; // by the block's label
+    std::map<uint32_t, uint32_t> loops;                // merge blocks, by the header's label
+
+    explicit Branches(const std::vector<uint32_t>& spirv) {
+        uint32_t block = 0;
+        for (const vulkan::SpirvInstruction instruction : vulkan::spirvInstructions(spirv)) {
+            switch (vulkan::opcodeOf(instruction)) {
+            case spv::OpLabel:
+                block = instruction[1];
+                break;
+            case spv::OpLoopMerge:
+                loops[block] = instruction[1];
+                break;
+            case spv::OpBranch:
+                targets[block] = {instruction[1]};
+                break;
+            case spv::OpBranchConditional:
+                targets[block] = {instruction[2], instruction[3]};
+                break;
+            case spv::OpSwitch:
+                targets[block] = {instruction[2]};
+                for (std::size_t i = 4; i < instruction.size(); i += 2) {
+                    targets[block].push_back(instruction[i]);
+                }
+                break;
+            default:
+                break;
+            }
+        }
+    }
+};
+
+// Returns how many blocks SwiftShader visits to learn what a loop's header reaches, at most `most`. It walks
+// breadth first and marks a block when it leaves the queue.
+std::size_t visitsOfSwiftShader(const Branches& branches, const uint32_t header, const std::size_t most) {
+    std::set<uint32_t> seen{branches.loops.at(header)};
+    std::queue<uint32_t> pending({header});
+    std::size_t visits = 0;
+    for (; !pending.empty() && visits < most; ++visits) {
+        const uint32_t block = pending.front();
+        pending.pop();
+        if (const auto found = branches.targets.find(block); found != branches.targets.end()) {
+            // The targets of a block are in a set; where it has two, the one that came last is first.
+            for (auto target = found->second.rbegin(); target != found->second.rend(); ++target) {
+                if (!seen.contains(*target)) {
+                    pending.push(*target);
+                }
+            }
+        }
+        seen.insert(block);
+    }
+    return visits;
+}
+
+std::size_t visitsOfSwiftShader(const std::vector<uint32_t>& spirv, const std::size_t most) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
+    optimizer.RegisterPerformancePasses();
+    std::vector<uint32_t> optimized;
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options)) {
+        throw std::runtime_error("SPIRV-Tools cannot optimize the module");
+    }
+    const Branches branches(optimized);
+    std::size_t visits = 0;
+    for (const auto& loop : branches.loops) {
+        visits = std::max(visits, visitsOfSwiftShader(branches, loop.first, most));
+    }
+    return visits;
+}
+
+TEST(ElseBranches, leaveValidModules) {
+    for (const Shader& shader : shaders()) {
+        EXPECT_EQ(faultsOf(vulkan::withoutElseBranches(shader.spirv)), "")
+            << shader.kernel << ' ' << shader.traversal;
+    }
+}
+
+TEST(ElseBranches, areWhatSwiftShaderCannotTake) {
+    constexpr std::size_t kMost = 1'000'000;
+    for (const Shader& shader : shaders()) {
+        if (shader.kernel == "path" && shader.traversal == "meta_table") {
+            // The kernel of a Lambert scene: SPIRV-Tools takes long for the whole one.
+            const std::vector<uint32_t> whole =
+                vulkan::withoutDeadBranches(shader.spirv, {{kSpecFeatures, 0u}});
+            EXPECT_EQ(visitsOfSwiftShader(whole, kMost), kMost);
+            EXPECT_LT(visitsOfSwiftShader(vulkan::withoutElseBranches(whole), kMost), kMost / 4);
+        }
+    }
+}
+
+TEST(ElseBranches, becomeSelectionsOfTheirOwn) {
+    const std::vector<uint32_t> spirv = moduleOf(R"(
+        %entry = OpLabel
+        OpSelectionMerge %end None
+        OpBranchConditional %isUnknown %left %right
+        %left = OpLabel
+        OpBranch %end
+        %right = OpLabel
+        OpBranch %end
+        %end = OpLabel
+        OpReturn
+    )");
+    ASSERT_EQ(faultsOf(spirv), "");
+    const std::vector<uint32_t> words = vulkan::withoutElseBranches(spirv);
+    EXPECT_EQ(faultsOf(words), "");
+    EXPECT_EQ(countOf(words, spv::OpBranchConditional), 2u);
+    EXPECT_EQ(countOf(words, spv::OpLabel), 5u);
+    EXPECT_EQ(vulkan::withoutElseBranches(words), words) << "there is no else any more";
+}
+
+TEST(ElseBranches, stayWhereOneOfThemLeavesTheFunction) {
+    const std::vector<uint32_t> spirv = moduleOf(R"(
+        %entry = OpLabel
+        OpSelectionMerge %end None
+        OpBranchConditional %isUnknown %left %right
+        %left = OpLabel
+        OpReturn
+        %right = OpLabel
+        OpBranch %end
+        %end = OpLabel
+        OpReturn
+    )");
+    ASSERT_EQ(faultsOf(spirv), "");
+    EXPECT_EQ(vulkan::withoutElseBranches(spirv), spirv);
+}
+
+TEST(ElseBranches, stayInADamagedModule) {
+    const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0, 1, 0, 15};
+    EXPECT_EQ(vulkan::withoutElseBranches(damaged), damaged);
+    EXPECT_EQ(vulkan::withoutElseBranches({}), std::vector<uint32_t>());
 }
 
 TEST(ExactFloats, changeNothingInADamagedModule) {

@@ -31,6 +31,7 @@ constexpr const char* kFaults[] = {
     "texels",           // maxTexelBufferElements
     "workGroups",       // maxComputeWorkGroupCount of each dimension
     "allocation",       // maxMemoryAllocationSize, bytes
+    "driver",           // driverID, a number of VkDriverId
     "deviceHeap",       // device-local memory has only so many bytes; host memory lies beside it
     "timestampBits",    // timestampValidBits of every queue family
     "stampsAreEqual",   // 1: all time stamps of a pool are the same
@@ -211,6 +212,8 @@ VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
         } else if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES) {
             limit("allocation",
                   reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(part)->maxMemoryAllocationSize);
+        } else if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES) {
+            limit("driver", reinterpret_cast<VkPhysicalDeviceDriverProperties*>(part)->driverID);
         }
     }
 }
