@@ -15,6 +15,12 @@ constexpr std::uint32_t kRaysPerGroup = 64; // local_size_x of the kernels
 // least 128 MiB.
 constexpr std::size_t kBatch = 1u << 21u;
 
+// Kernels that read texel buffers read a ray in texels of 16 bytes. Vulkan guarantees only 65,536 of them.
+std::size_t batchFor(const vulkan::DeviceReport& report) {
+    constexpr std::size_t kTexelsOfRay = sizeof(RayQuery) / 16;
+    return std::min(kBatch, report.maxTexelBufferElements / kTexelsOfRay);
+}
+
 } // namespace
 
 RayBatches::RayBatches(const vulkan::Device& usedDevice, vulkan::ComputePipeline kernelPipeline)
@@ -25,8 +31,9 @@ std::vector<RayResult> RayBatches::run(const std::span<const RayQuery> rays,
     seconds = 0.0;
     std::vector<RayResult> results;
     results.reserve(rays.size());
-    for (std::size_t first = 0; first < rays.size(); first += kBatch) {
-        const std::size_t count = std::min(kBatch, rays.size() - first);
+    const std::size_t most = batchFor(device.report());
+    for (std::size_t first = 0; first < rays.size(); first += most) {
+        const std::size_t count = std::min(most, rays.size() - first);
         const std::vector<RayResult> batch =
             runBatch(rays.subspan(first, count),
                      knownRecords.empty() ? knownRecords : knownRecords.subspan(first, count));

@@ -84,15 +84,19 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
     report.driver = driver.driverName.data();
     report.driverInfo = driver.driverInfo.data();
-    report.doublesAtElse = driver.driverID == vk::DriverId::eGoogleSwiftshader;
+    const bool isSwiftShader = driver.driverID == vk::DriverId::eGoogleSwiftshader;
+    report.doublesAtElse = isSwiftShader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     report.maxMemoryAllocationSize =
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
     const auto& floats = chain.get<vk::PhysicalDeviceFloatControlsProperties>();
     // Where all widths must round alike, a mode for 32 bits alone is not allowed.
     const bool isChosenAlone = floats.roundingModeIndependence != vk::ShaderFloatControlsIndependence::eNone;
-    report.floatModes = {isChosenAlone && floats.shaderRoundingModeRTEFloat32,
-                         static_cast<bool>(floats.shaderSignedZeroInfNanPreserveFloat32)};
+    // SwiftShader keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
+    if (!isSwiftShader) {
+        report.floatModes = {isChosenAlone && floats.shaderRoundingModeRTEFloat32,
+                             static_cast<bool>(floats.shaderSignedZeroInfNanPreserveFloat32)};
+    }
 }
 
 bool lists(const std::vector<vk::ExtensionProperties>& extensions, const char* const wanted) {

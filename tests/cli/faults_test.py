@@ -57,6 +57,11 @@ class FaultsTest(ProgramTest):
                 self.assertIn(limit, done.stderr)
                 self.assertFalse((self.tmp / "a.exr").exists())
 
+    def test_more_rays_than_a_buffer_has_texels(self):
+        done = self.run_with("texels=65536", "bench", "traversal", CORNELL, "--traversal", "meta_table", "--size", "160x120",
+                             "--rays", "far", "--repeat", "1", "--seconds", "0")  # 76,800 rays of two texels
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_a_driver_that_gets_kernels_without_else(self):
         """The kernels that SwiftShader gets compute the same."""
         plain = self.plain()

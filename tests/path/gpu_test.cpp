@@ -71,13 +71,20 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
             continue;
         }
         SCOPED_TRACE(traversal);
-        expectSameFilm(sides.onDevice(std::string(traversal), work).film.pixels, expected);
+        const auto render =
+            vulkan::ifTexelsSuffice([&] { return sides.onDevice(std::string(traversal), work); });
+        if (render) {
+            expectSameFilm(render->film.pixels, expected);
+        }
     }
 }
 
 // This scene has only some features, because llvmpipe takes half a minute to compile all of them with storage
 // buffers.
 TEST_F(PathGpuWork, storageBuffersDrawTheSame) {
+    if (!vulkan::testDevice().report().runsWithStorageBuffers()) {
+        GTEST_SKIP() << vulkan::testDevice().name() << " has too few storage buffers";
+    }
     const BothSides sides(blended(), {28, 20});
     expectSameFilm(sides.onDevice(kDefaultTraversal, work, BothSides::Where::storageBuffers).film.pixels,
                    sides.onCpu(work));
