@@ -58,7 +58,7 @@ class FaultsTest(ProgramTest):
                 self.assertFalse((self.tmp / "a.exr").exists())
 
     def test_more_rays_than_a_buffer_has_texels(self):
-        done = self.run_with("texels=65536", "bench", "traversal", CORNELL, "--traversal", "meta_table", "--size", "160x120",
+        done = self.run_with("texels=65536", "bench", "traversal", CORNELL, "--traversals", "meta_table", "--size", "160x120",
                              "--rays", "far", "--repeat", "1", "--seconds", "0")  # 76,800 rays of two texels
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
