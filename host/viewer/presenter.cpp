@@ -52,8 +52,7 @@ Presenter::Presenter(const vulkan::Context& usedContext, const vulkan::Device& u
       surface(usedContext.instance(), usedWindow.makeSurface(*usedContext.instance())),
       acquired(usedDevice.handle(), vk::SemaphoreCreateInfo()),
       done(usedDevice.handle(), vk::FenceCreateInfo()), commandBuffer(makeCommandBuffer(usedDevice)) {
-    makeChain();
-    if (!chain) {
+    if (!makeChain()) {
         throw Error(ErrorKind::noDevice, "the window has no size");
     }
     startPanels();
@@ -70,12 +69,25 @@ Presenter::~Presenter() {
     ImGui::DestroyContext();
 }
 
-// Keeps the old swapchain if the window has no size.
-void Presenter::makeChain() {
-    const glm::uvec2 size = window.pixels();
-    if (size.x == 0) {
-        return;
+// Returns true if the window is minimised. Its surface may know that before the window does.
+bool Presenter::hasNoSize() const {
+    if (window.pixels().x == 0) {
+        return true;
     }
+    try {
+        const vk::Extent2D extent = device.physicalDevice().getSurfaceCapabilitiesKHR(*surface).currentExtent;
+        return extent.width == 0 || extent.height == 0;
+    } catch (const vk::SurfaceLostKHRError&) {
+        return false; // makeChain takes a new one
+    }
+}
+
+// Returns false, and keeps the old swapchain, if the window has no size.
+bool Presenter::makeChain() {
+    if (hasNoSize()) {
+        return false;
+    }
+    const glm::uvec2 size = window.pixels();
     wait();
     device.handle().waitIdle();
     framebuffers.clear();
@@ -111,6 +123,7 @@ void Presenter::makeChain() {
         isScreenEmpty = true;
     }
     isOutdated = false;
+    return true;
 }
 
 void Presenter::wait() {
@@ -169,7 +182,9 @@ bool Presenter::beginFrame() {
     }
     if (isOutdated || !chain || size != chain->size()) {
         try {
-            makeChain();
+            if (!makeChain()) {
+                return false;
+            }
         } catch (const vk::SystemError& error) {
             throw vulkan::refusalOf(error, fmt::format("{}: no pictures for the window", device.name()));
         }

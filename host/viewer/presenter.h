@@ -45,7 +45,8 @@ class Presenter {
     glm::uvec2 size() const { return chain ? chain->size() : glm::uvec2(0); }
 
   private:
-    void makeChain();
+    bool hasNoSize() const;
+    bool makeChain();
     void startPanels();
     void record(const std::function<void(vulkan::Commands&, const Screen&)>& paint, std::uint32_t image);
     void recordCopy(std::uint32_t image);

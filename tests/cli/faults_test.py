@@ -42,7 +42,7 @@ class FaultsTest(ProgramTest):
     def test_limits(self):
         """The picture of a better device, or one line with the limit's name. lavapipe reads texel buffers."""
         plain = self.plain()
-        for faults in ("storageBuffers=8", "storageRange=134217728", "texels=65536", "workGroups=1"):
+        for faults in ("storageBuffers=8", "storageBuffers=24", "storageBuffers=31", "storageRange=134217728", "texels=65536", "workGroups=1"):
             with self.subTest(faults=faults):
                 done = self.render(faults, "a.exr")
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -83,6 +83,19 @@ class FaultsTest(ProgramTest):
                 if is_written:
                     claimed = re.search(r"--spp (\d+)", self.options_of("a.exr"))
                     self.assertEqual(min(min(row) for row in self.read_picture("a.exr")["samples"]), int(claimed[1]) if claimed else 64)
+
+    def test_a_slow_device_with_a_watchdog(self):
+        """No submission takes 2 s, which loses the device, where the 96 tiles together take 2.4 s.
+
+        A device that needs 3 s for the smallest work is lost. One line says so."""
+        large = ("render", CORNELL, "--quiet", "--size", "96x64", *SAMPLES, "-o")
+        self.succeed(*large, "plain.exr")
+        done = self.run_with("groupMicroseconds=25000", *large, "a.exr")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((self.tmp / "a.exr").read_bytes(), (self.tmp / "plain.exr").read_bytes())
+        done = self.render("groupMicroseconds=3000000", "b.exr")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (NO_DEVICE, 1), done.stderr)
+        self.assertIn("DeviceLost", done.stderr)
 
     def test_memory_that_runs_out(self):
         for faults in ("memoryEndsAt=1", "memoryEndsAt=6", "memoryEndsAt=25", "memoryEndsAt=30,deviceHeap=1073741824"):

@@ -14,12 +14,16 @@ class FaultsTest(ViewerTest):
     def test_the_window_shows_its_picture(self):
         picture = self.render(CORNELL, "--spp", "4")
         for text in ("acquireTimesOut=3", "acquireOutOfDate=5", "suboptimal=1", "noOpaqueAlpha=1",
-                     "timestampBits=0", "stampsAreEqual=1"):
+                     "acquireOutOfDate=5,noSizeUntil=8", "timestampBits=0", "stampsAreEqual=1"):
             with self.subTest(faults=text):
                 viewer = self.open(CORNELL, "--spp", "4", environment=faults(text))
                 viewer.wait_for_title(r"cornell.glb - path, 4 of 4 samples - meta_table - metamarch")
                 self.assert_shows(viewer, picture)
                 self.quit(viewer)
+
+    def test_a_window_of_ten_bits_a_colour(self):
+        line = self.refuse(4, "view", CORNELL, DISPLAY=self.display.name, **faults("tenBitOnly=1"))
+        self.assertRegex(line, r"\A.*: this window takes no 8-bit sRGB pictures\Z")
 
     def test_a_film_larger_than_a_buffer_may_be(self):
         """The film takes 2.1 MB, so it lies in three bands. The window has its full size all the same."""

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include <mutex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -25,26 +27,28 @@ namespace {
 // ---------------------------------------------------------------- the faults
 
 constexpr const char* kFaults[] = {
-    "storageBuffers",   // maxPerStageDescriptorStorageBuffers
-    "sampledImages",    // maxPerStageDescriptorSampledImages, which texel buffers count to
-    "storageRange",     // maxStorageBufferRange, bytes
-    "texels",           // maxTexelBufferElements
-    "workGroups",       // maxComputeWorkGroupCount of each dimension
-    "allocation",       // maxMemoryAllocationSize, bytes
-    "driver",           // driverID, a number of VkDriverId
-    "deviceHeap",       // device-local memory has only so many bytes; host memory lies beside it
-    "timestampBits",    // timestampValidBits of every queue family
-    "stampsAreEqual",   // 1: all time stamps of a pool are the same
-    "stampsWrap",       // 1: the counter passes 2^timestampBits between two stamps
-    "lostAt",           // the device is lost at this submission, counted from 1
-    "fragmentedAbove",  // allocations of more bytes fail
-    "memoryEndsAt",     // this allocation and all after it fail, counted from 1
-    "acquireTimesOut",  // every nth image of a window comes too late
-    "acquireOutOfDate", // every nth image is of a window that has changed
-    "suboptimal",       // 1: every image is shown, but no longer fits
-    "tenBitOnly",       // 1: windows take only 10 bits a colour
-    "noOpaqueAlpha",    // 1: windows show what lies behind them
-    "roughDivision",    // 1: quotients are off by up to 2 ulp, and the device says that it is a discrete one
+    "storageBuffers",    // maxPerStageDescriptorStorageBuffers
+    "sampledImages",     // maxPerStageDescriptorSampledImages, which texel buffers count to
+    "storageRange",      // maxStorageBufferRange, bytes
+    "texels",            // maxTexelBufferElements
+    "workGroups",        // maxComputeWorkGroupCount of each dimension
+    "allocation",        // maxMemoryAllocationSize, bytes
+    "driver",            // driverID, a number of VkDriverId
+    "deviceHeap",        // device-local memory has only so many bytes; host memory lies beside it
+    "timestampBits",     // timestampValidBits of every queue family
+    "stampsAreEqual",    // 1: all time stamps of a pool are the same
+    "stampsWrap",        // 1: the counter passes 2^timestampBits between two stamps
+    "lostAt",            // the device is lost at this submission, counted from 1
+    "groupMicroseconds", // each workgroup takes so long, and a submission of more than 2 s loses the device
+    "fragmentedAbove",   // allocations of more bytes fail
+    "memoryEndsAt",      // this allocation and all after it fail, counted from 1
+    "acquireTimesOut",   // every nth image of a window comes too late
+    "acquireOutOfDate",  // every nth image is of a window that has changed
+    "suboptimal",        // 1: every image is shown, but no longer fits
+    "noSizeUntil",       // a window has no size at the questions for it from the 3rd to this one
+    "tenBitOnly",        // 1: windows take only 10 bits a colour
+    "noOpaqueAlpha",     // 1: windows show what lies behind them
+    "roughDivision",     // 1: quotients are off by up to 2 ulp, and the device says that it is a discrete one
 };
 
 const std::map<std::string, std::uint64_t>& faults() {
@@ -99,9 +103,9 @@ constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties",
                                         "vkGetPhysicalDeviceSurfaceFormatsKHR",
                                         "vkGetPhysicalDeviceSurfaceCapabilitiesKHR"};
 constexpr const char* kOfDevices[] = {
-    "vkCreateShaderModule",  "vkAllocateMemory",     "vkFreeMemory",     "vkGetBufferMemoryRequirements",
-    "vkQueueSubmit",         "vkWaitForFences",      "vkDeviceWaitIdle", "vkQueueWaitIdle",
-    "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
+    "vkCreateShaderModule", "vkAllocateMemory", "vkFreeMemory",          "vkGetBufferMemoryRequirements",
+    "vkBeginCommandBuffer", "vkCmdDispatch",    "vkQueueSubmit",         "vkWaitForFences",
+    "vkDeviceWaitIdle",     "vkQueueWaitIdle",  "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
 
 // What lies below an instance or a device. The functions are asked for while it is made: later the loader may
 // answer with those of the topmost layer.
@@ -358,9 +362,62 @@ VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(const VkDevice device, const VkMem
     return next<PFN_vkAllocateMemory>(device, "vkAllocateMemory")(device, info, memory, allocated);
 }
 
+// A device with watchdog, on which time depends on nothing but workgroups.
+struct SlowDevice {
+    static constexpr std::uint64_t kWatchdogMicroseconds = 2'000'000;
+
+    std::mutex lock;
+    std::map<VkCommandBuffer, std::uint64_t> groups;
+    std::uint64_t lastMicroseconds = 0; // of the last submission
+};
+
+SlowDevice& slowDevice() {
+    static SlowDevice device;
+    return device;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL beginCommandBuffer(const VkCommandBuffer commands,
+                                                  const VkCommandBufferBeginInfo* const info) {
+    {
+        const std::lock_guard lock(slowDevice().lock);
+        slowDevice().groups[commands] = 0;
+    }
+    return next<PFN_vkBeginCommandBuffer>(commands, "vkBeginCommandBuffer")(commands, info);
+}
+
+VKAPI_ATTR void VKAPI_CALL dispatch(const VkCommandBuffer commands, const std::uint32_t x,
+                                    const std::uint32_t y, const std::uint32_t z) {
+    {
+        const std::lock_guard lock(slowDevice().lock);
+        slowDevice().groups[commands] += std::uint64_t{x} * y * z;
+    }
+    next<PFN_vkCmdDispatch>(commands, "vkCmdDispatch")(commands, x, y, z);
+}
+
+// Sleeps as long as the submission takes on the slow device, or loses that.
+void runSlowly(const std::uint32_t count, const VkSubmitInfo* const submits) {
+    SlowDevice& device = slowDevice();
+    const std::lock_guard lock(device.lock);
+    device.lastMicroseconds = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::uint32_t k = 0; k < submits[i].commandBufferCount; ++k) {
+            device.lastMicroseconds +=
+                device.groups[submits[i].pCommandBuffers[k]] * valueOf("groupMicroseconds");
+        }
+    }
+    if (device.lastMicroseconds > SlowDevice::kWatchdogMicroseconds) {
+        isLost = true;
+    } else {
+        std::this_thread::sleep_for(std::chrono::microseconds(device.lastMicroseconds));
+    }
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(const VkQueue queue, const std::uint32_t count,
                                            const VkSubmitInfo* const submits, const VkFence fence) {
     static std::atomic<std::uint64_t> submissions = 0;
+    if (has("groupMicroseconds")) {
+        runSlowly(count, submits);
+    }
     if (has("lostAt") && ++submissions >= valueOf("lostAt")) {
         isLost = true;
     }
@@ -400,6 +457,10 @@ VKAPI_ATTR VkResult VKAPI_CALL getQueryPoolResults(const VkDevice device, const 
     }
     std::uint64_t stamps[2];
     std::memcpy(stamps, data, sizeof(stamps));
+    if (has("groupMicroseconds")) { // a tick of lavapipe is a nanosecond
+        const std::lock_guard lock(slowDevice().lock);
+        stamps[1] += slowDevice().lastMicroseconds * 1000;
+    }
     if (has("stampsAreEqual")) {
         stamps[1] = stamps[0];
     } else if (has("stampsWrap")) {
@@ -448,6 +509,11 @@ VKAPI_ATTR VkResult VKAPI_CALL getSurfaceCapabilities(const VkPhysicalDevice phy
                                                       VkSurfaceCapabilitiesKHR* const capabilities) {
     const VkResult result = next<PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR>(
         physical, "vkGetPhysicalDeviceSurfaceCapabilitiesKHR")(physical, surface, capabilities);
+    static std::atomic<std::uint64_t> questions = 0;
+    const std::uint64_t question = ++questions;
+    if (question >= 3 && question <= valueOf("noSizeUntil")) {
+        capabilities->currentExtent = {0, 0};
+    }
     if (has("noOpaqueAlpha")) {
         capabilities->supportedCompositeAlpha = VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
     }
@@ -488,6 +554,8 @@ PFN_vkVoidFunction find(const char* const name, const bool isOfDevices) {
         entry("vkAllocateMemory", allocateMemory),
         entry("vkFreeMemory", freeMemory),
         entry("vkGetBufferMemoryRequirements", getRequirements),
+        entry("vkBeginCommandBuffer", beginCommandBuffer),
+        entry("vkCmdDispatch", dispatch),
         entry("vkQueueSubmit", queueSubmit),
         entry("vkWaitForFences", waitForFences),
         entry("vkDeviceWaitIdle", deviceWaitIdle),
