@@ -44,6 +44,9 @@ class ProgressiveImage {
     // picture is finished.
     bool advance(double seconds);
 
+    // Returns true if the next advance() creates the path tracer's kernel.
+    bool isBeforeKernel() const { return !request.view && !path; }
+
     // Returns true if every pixel shows something.
     bool isWhole() const;
     // Returns true if it is also fit to be seen: the first filtered picture takes a moment.

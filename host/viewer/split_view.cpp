@@ -104,6 +104,10 @@ bool SplitView::advance() {
     return hasWorked;
 }
 
+bool SplitView::isBeforeKernel() const {
+    return std::ranges::any_of(viewports, [](const auto& viewport) { return viewport->isBeforeKernel(); });
+}
+
 void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const float line) {
     hasPicture = hasPicture || (!viewports.empty() && isWhole());
     if (!hasPicture || size != screen.size) {

@@ -39,6 +39,8 @@ class SplitView {
     // one submission for each viewport. Returns false if nothing is left to do. Throws what
     // PathTracer::advance throws.
     bool advance();
+    // Returns true if that creates the path tracer's kernel, for which a driver may take long.
+    bool isBeforeKernel() const;
 
     // Writes the screen. `line` is where the left viewport ends, as a fraction of the screen's width. Until
     // new viewports have a picture, the screen keeps the old one, stretched if the window has another size

@@ -122,11 +122,12 @@ class Viewer {
                 readOut();
                 drawReadOut(state);
             }
+            const bool isAnnounced = announceKernel();
             drawBusy(state);
             if (!isWindowWanted) { // messages do not belong into the picture
                 drawMessages(state);
             }
-            if (trace()) {
+            if (isAnnounced || trace()) {
                 quietFrames = 0;
             }
             state.filterRefusal = splitView.isEmpty() ? "" : splitView.progressive().filterRefusal();
@@ -500,6 +501,15 @@ class Viewer {
         return state.settings.isDenoised ? &*denoiser : nullptr;
     }
 
+    // The frame before the one in which the window waits for the driver says so. Returns true for that frame.
+    bool announceKernel() {
+        const bool wasSaid = std::exchange(isKernelSaid, splitView.isBeforeKernel() && !scenes.isBusy());
+        if (wasSaid != isKernelSaid && !scenes.isBusy()) {
+            state.busy = isKernelSaid ? "preparing the path tracer; the driver may compile it now" : "";
+        }
+        return isKernelSaid && !wasSaid;
+    }
+
     // Returns true if the device has worked.
     bool trace() {
         bool hasWorked = false;
@@ -571,7 +581,9 @@ class Viewer {
         const std::string how =
             state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;
         return fmt::format("{} - {} - {}{} - metamarch", state.file.filename().string(), seen, how,
-                           state.busy.empty() ? "" : " - busy");
+                           state.busy.empty() ? ""
+                           : isKernelSaid     ? " - preparing"
+                                              : " - busy");
     }
 
     const ViewerOptions& options;
@@ -595,6 +607,7 @@ class Viewer {
     RecentFiles recentFiles;
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
+    bool isKernelSaid = false;   // state.busy says that a kernel is made
     bool isStale = false;        // the picture must begin anew
     bool isHeatKnown = false;    // the range of the heat map has been compared with the picture
     bool isHalted = false;       // there is no picture until a setting or the window's size changes

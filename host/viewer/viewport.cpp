@@ -95,6 +95,13 @@ bool Viewport::advance(const double seconds) {
     return true;
 }
 
+bool Viewport::isBeforeKernel() const {
+    if (!coarse.isWhole()) {
+        return coarse.isBeforeKernel();
+    }
+    return (!hasPreview || sharp.isWhole()) && fine.isBeforeKernel();
+}
+
 void Viewport::record(vulkan::Commands& commands, const Screen& screen, const std::uint32_t first,
                       const std::uint32_t end) {
     coarse.record(commands);

@@ -28,6 +28,8 @@ class Viewport {
 
     // Continues in one submission of about `seconds`. Returns false if nothing is left to do.
     bool advance(double seconds);
+    // Returns true if that creates the path tracer's kernel.
+    bool isBeforeKernel() const;
 
     // Returns true if every pixel of the window shows something of the request.
     bool isWhole() const { return coarse.isWhole(); }
