@@ -592,7 +592,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceAddress(const VkDevice device, co
 
 } // namespace
 
-extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+// Headers of Vulkan 1.4 have no VK_LAYER_EXPORT any more.
+extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* const version) {
     faults(); // a wrong word ends the process here
     version->loaderLayerInterfaceVersion = 2;
