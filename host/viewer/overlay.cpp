@@ -268,11 +268,11 @@ void drawSplit(const ViewerState& state) {
     const glm::vec2 size(state.size);
     const float line = state.settings.splitAt * size.x;
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, size.y}, kInk, 2.0f);
-    const std::string left = viewportText(state.settings.traversal, state.statistics.viewportSeconds[0]);
+    const std::string left = viewportText(state.settings.traversal, state.statistics.viewports[0].seconds);
     const float y = size.y - 2.0f * ImGui::GetFontSize();
     drawLabel({line - ImGui::CalcTextSize(left.c_str()).x - 12.0f, y}, left);
     drawLabel({line + 12.0f, y},
-              viewportText(state.settings.secondTraversal, state.statistics.viewportSeconds[1]));
+              viewportText(state.settings.secondTraversal, state.statistics.viewports[1].seconds));
 }
 
 } // namespace

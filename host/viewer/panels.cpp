@@ -225,6 +225,17 @@ void drawCamera(ViewerState& state) {
     }
 }
 
+void drawViewportStatistics(const ViewportStatistics& now, const Settings& settings) {
+    if (!settings.view) {
+        line(fmt::format("{:.1f} of {} samples a pixel", now.samples, settings.samples));
+        line(fmt::format("{:.2f} Mrays/s, {:.2f} Msamples/s", now.raysPerSecond * 1e-6,
+                         now.samplesPerSecond * 1e-6));
+        line(fmt::format("{:.2f} steps and {:.2f} tests a ray", now.stepsPerRay, now.testsPerRay));
+    } else if (now.seconds > 0.0) {
+        line(fmt::format("{:.2f} ms for the picture", now.seconds * 1e3));
+    }
+}
+
 void drawStatistics(const ViewerState& state) {
     const Statistics& now = state.statistics;
     const LoadedScene& scene = *state.scene;
@@ -234,13 +245,12 @@ void drawStatistics(const ViewerState& state) {
         line(fmt::format("the picture has {} x {} pixels, all that fit into memory", now.filmSize.x,
                          now.filmSize.y));
     }
-    if (!state.settings.view) {
-        line(fmt::format("{:.1f} of {} samples a pixel", now.samples, state.settings.samples));
-        line(fmt::format("{:.2f} Mrays/s, {:.2f} Msamples/s", now.raysPerSecond * 1e-6,
-                         now.samplesPerSecond * 1e-6));
-        line(fmt::format("{:.2f} steps and {:.2f} tests a ray", now.stepsPerRay, now.testsPerRay));
-    } else if (now.viewportSeconds[0] > 0.0) {
-        line(fmt::format("{:.2f} ms for the picture", now.viewportSeconds[0] * 1e3));
+    const std::vector<std::string> traversals = state.traversals();
+    for (std::size_t i = 0; i < traversals.size(); ++i) {
+        if (state.hasSplit()) {
+            ImGui::TextDisabled("%s: %s", i == 0 ? "left" : "right", traversals[i].c_str());
+        }
+        drawViewportStatistics(now.viewports[i], state.settings);
     }
     line(fmt::format("{} triangles, {} on the device", scene.shown.scene->triangles.size(),
                      vulkan::byteText(now.deviceBytes)));

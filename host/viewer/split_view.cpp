@@ -2,6 +2,7 @@
 #include "metamarch/viewer/split_view.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace metamarch::viewer {
 namespace {
@@ -14,6 +15,31 @@ constexpr double kCalmSeconds = 0.06;
 constexpr double kMeasuredSeconds = 0.5; // rates are means over this time
 
 constexpr std::uint32_t kEmptyPixel = 0xff201c1a; // a dark grey, with either order of the channels
+
+render::PathCounters countersOf(const Viewport& viewport) {
+    render::PathCounters total;
+    for (const ProgressiveImage* const progressive : {&viewport.coarseImage(), &viewport.fineImage()}) {
+        if (const render::PathCounters* const part = progressive->counters()) {
+            total.samples += part->samples;
+            total.rays += part->rays;
+            total.steps += part->steps;
+            total.tests += part->tests;
+        }
+    }
+    return total;
+}
+
+// Updates the rates of one viewport. Steps and tests stay where no ray has been traced.
+void measureRates(ViewportStatistics& rates, const render::PathCounters& now,
+                  const render::PathCounters& before, const double seconds) {
+    const double rays = now.rays - before.rays;
+    rates.raysPerSecond = rays / seconds;
+    rates.samplesPerSecond = (now.samples - before.samples) / seconds;
+    if (rays > 0.0) {
+        rates.stepsPerRay = (now.steps - before.steps) / rays;
+        rates.testsPerRay = (now.tests - before.tests) / rays;
+    }
+}
 
 } // namespace
 
@@ -137,45 +163,28 @@ void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {
     }
 }
 
-render::PathCounters SplitView::counters() const {
-    render::PathCounters total;
-    for (const auto& viewport : viewports) {
-        for (const ProgressiveImage* const progressive : {&viewport->coarseImage(), &viewport->fineImage()}) {
-            if (const render::PathCounters* const part = progressive->counters()) {
-                total.samples += part->samples;
-                total.rays += part->rays;
-                total.steps += part->steps;
-                total.tests += part->tests;
-            }
-        }
-    }
-    return total;
-}
-
 void SplitView::measure(Statistics& statistics) {
     ++frames;
-    statistics.viewportSeconds = {};
+    for (ViewportStatistics& side : statistics.viewports) {
+        side.samples = side.seconds = 0.0;
+    }
     for (std::size_t i = 0; i < viewports.size(); ++i) {
         const ProgressiveImage& fine = viewports[i]->fineImage();
-        statistics.viewportSeconds[i] = fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
+        statistics.viewports[i].samples = fine.samples();
+        statistics.viewports[i].seconds =
+            fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
     }
     statistics.filmSize = viewports.empty() ? glm::uvec2(0) : progressive().size();
-    statistics.samples = viewports.empty() ? 0.0 : progressive().samples();
 
     const double seconds = sinceMeasured.seconds();
     if (seconds < kMeasuredSeconds) {
         return;
     }
-    const render::PathCounters total = counters();
-    const double rays = total.rays - countersBefore.rays;
     statistics.framesPerSecond = frames / seconds;
-    statistics.raysPerSecond = rays / seconds;
-    statistics.samplesPerSecond = (total.samples - countersBefore.samples) / seconds;
-    if (rays > 0.0) {
-        statistics.stepsPerRay = (total.steps - countersBefore.steps) / rays;
-        statistics.testsPerRay = (total.tests - countersBefore.tests) / rays;
+    for (std::size_t i = 0; i < viewports.size(); ++i) {
+        const render::PathCounters now = countersOf(*viewports[i]);
+        measureRates(statistics.viewports[i], now, std::exchange(countersBefore[i], now), seconds);
     }
-    countersBefore = total;
     sinceMeasured = Stopwatch();
     frames = 0;
 }

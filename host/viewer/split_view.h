@@ -6,6 +6,7 @@
 #include "metamarch/viewer/viewer_state.h"
 #include "metamarch/viewer/viewport.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -62,7 +63,6 @@ class SplitView {
     bool isWhole() const;
     void paintBefore(vulkan::Commands& commands, const Screen& screen);
     double share(double seconds) const { return seconds / static_cast<double>(viewports.size()); }
-    render::PathCounters counters() const;
 
     const vulkan::Device& device;
     std::vector<std::unique_ptr<Viewport>> viewports;
@@ -72,8 +72,8 @@ class SplitView {
     RenderRequest request;
 
     Stopwatch sinceMeasured;
-    int frames = 0; // since sinceMeasured was started
-    render::PathCounters countersBefore;
+    int frames = 0;                                     // since sinceMeasured was started
+    std::array<render::PathCounters, 2> countersBefore; // of the viewports
 };
 
 } // namespace metamarch::viewer

@@ -577,7 +577,8 @@ class Viewer {
                 : fmt::format("{}, {} of {} samples",
                               settings.channel.empty() ? std::string(nameOf(settings.path.integrator))
                                                        : "channel " + settings.channel,
-                              static_cast<std::uint32_t>(state.statistics.samples), settings.samples);
+                              static_cast<std::uint32_t>(state.statistics.viewports[0].samples),
+                              settings.samples);
         const std::string how =
             state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;
         return fmt::format("{} - {} - {}{} - metamarch", state.file.filename().string(), seen, how,

@@ -67,18 +67,22 @@ struct Message {
     std::chrono::steady_clock::time_point time;
 };
 
-struct Statistics {
-    double framesPerSecond = 0.0;
+// What one viewport has done.
+struct ViewportStatistics {
+    double samples = 0.0; // mean number of samples per pixel so far
+    double seconds = 0.0; // of the device, per sample or for the whole view; 0: the first is not complete
     double raysPerSecond = 0.0;
     double samplesPerSecond = 0.0;
     double stepsPerRay = 0.0;
     double testsPerRay = 0.0;
-    double samples = 0.0;                    // mean number of samples per pixel so far
-    std::array<double, 2> viewportSeconds{}; // left and right: device time per sample, or of the whole view;
-                                             // 0: the first sample is not complete
-    glm::uvec2 filmSize{0};                  // pixels; less than the window's where memory is short
-    std::uint64_t deviceBytes = 0;           // of the scene
-    std::string device;                      // its name and driver
+};
+
+struct Statistics {
+    double framesPerSecond = 0.0;
+    std::array<ViewportStatistics, 2> viewports; // left and right
+    glm::uvec2 filmSize{0};                      // pixels; less than the window's where memory is short
+    std::uint64_t deviceBytes = 0;               // of the scene
+    std::string device;                          // its name and driver
 };
 
 // How an animation plays. The time itself is a setting, ImportOptions::time.

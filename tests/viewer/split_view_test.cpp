@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Two traversals side by side: each has its own statistics.
+#include "fixtures/vulkan_environment.h"
+#include "metamarch/scene/import.h"
+#include "metamarch/viewer/split_view.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace metamarch::viewer {
+namespace {
+
+constexpr std::uint32_t kSamples = 2;
+
+TEST(SplitView, measuresBothSides) {
+    const vulkan::Device& device = vulkan::testDevice();
+    const auto file = std::filesystem::path(METAMARCH_SOURCE_DIR) / "scenes" / "cornell.glb";
+    render::PreparedScene prepared(std::make_shared<const Scene>(loadScene(file)), {});
+    prepared.light("cornell.glb", {}, {});
+    const render::DeviceScene scene(device, prepared);
+    const ShaderOverrides none;
+    const Backdrop backdrop(device);
+    SplitView view(device);
+    view.make(scene, {"meta_table", "kd_stack"}, {40, 30}, none, backdrop);
+    RenderRequest request;
+    request.camera = scene.scene().scene->cameras.front();
+    request.settings = PathChoice{}.applied(scene.scene().shading->settings);
+    request.endSample = kSamples;
+    view.start(request);
+    while (view.advance()) {
+    }
+
+    Statistics statistics;
+    while (statistics.framesPerSecond == 0.0) { // rates come from time to time
+        view.measure(statistics);
+    }
+    const auto& [left, right] = statistics.viewports;
+    for (const ViewportStatistics& side : {left, right}) {
+        EXPECT_EQ(side.samples, kSamples);
+        EXPECT_GT(side.seconds, 0.0);
+        EXPECT_GT(side.raysPerSecond, 0.0);
+        EXPECT_GT(side.samplesPerSecond, 0.0);
+    }
+    // Both test the same triangles or nearly so, but the steps of the stack are nodes.
+    EXPECT_GT(left.stepsPerRay, 0.0);
+    EXPECT_GT(right.stepsPerRay, 1.5 * left.stepsPerRay);
+
+    view.make(scene, {"kd_stack"}, {40, 30}, none, backdrop);
+    view.measure(statistics);
+    EXPECT_EQ(statistics.viewports[1].samples, 0.0);
+    view.clear();
+    EXPECT_EQ(vulkan::validationMessages(), 0u);
+}
+
+} // namespace
+} // namespace metamarch::viewer
