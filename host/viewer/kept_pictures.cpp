@@ -21,19 +21,25 @@ void KeptPictures::keep(const Shown slot, const glm::uvec2 size) {
     kept_[indexOf(slot)].next = {.pixels = pixelsOf(device_, size), .size = size};
 }
 
+void KeptPictures::follow(const glm::uvec2 size) {
+    for (Kept& kept : kept_) {
+        if (kept.next.pixels && kept.next.size != size) { // a frame was left out, and the window has changed
+            kept.next = {};
+            kept.next = {.pixels = pixelsOf(device_, size), .size = size};
+        }
+    }
+}
+
 void KeptPictures::paint(vulkan::Commands& commands, const Screen& screen, const Shown shown) {
     // A slot that is to be replaced takes what the screen has, and not its own picture of before.
     if (shown != Shown::present && has(shown) && !kept_[indexOf(shown)].next.pixels) {
         const OnDevice& picture = kept_[indexOf(shown)].picture;
-        stretched_.record(commands, *picture.pixels, picture.size, screen);
+        stretched_.record(commands, {*picture.pixels, picture.size}, screen);
     }
     for (Kept& kept : kept_) {
         kept.old = {}; // the frame that used it has been drawn
         if (!kept.next.pixels) {
             continue;
-        }
-        if (kept.next.size != screen.size) { // the window's size has changed since keep()
-            kept.next = {.pixels = pixelsOf(device_, screen.size), .size = screen.size};
         }
         commands.copy(screen.pixels, 0, *kept.next.pixels, 0, kept.next.pixels->size());
         kept.next.isBlueFirst = screen.isBlueFirst;

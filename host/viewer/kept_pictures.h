@@ -20,6 +20,10 @@ class KeptPictures {
     // The next paint() keeps the picture of a window of `size` pixels as A or B. Throws Error(outOfMemory).
     void keep(Shown slot, glm::uvec2 size);
 
+    // The next paint() has a screen of `size`, which may be another one than keep() was told. Call it before
+    // that paint(). Throws Error(outOfMemory).
+    void follow(glm::uvec2 size);
+
     // Call it once per frame, after the present picture has been painted: lays the one that is shown over
     // it, and then keeps what the screen has, if that is wanted.
     void paint(vulkan::Commands& commands, const Screen& screen, Shown shown);
@@ -48,8 +52,6 @@ class KeptPictures {
         OnDevice next; // is to replace it
         OnDevice old;  // was replaced in the frame that may still be drawn
     };
-    static std::size_t indexOf(Shown slot) { return slot == Shown::b ? 1 : 0; }
-
     const vulkan::Device& device_;
     StretchedPicture stretched_;
     std::array<Kept, kKeptSlots.size()> kept_;

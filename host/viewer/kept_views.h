@@ -15,6 +15,9 @@ namespace metamarch::viewer {
 enum class Shown { present, a, b };
 constexpr std::array<Shown, 2> kKeptSlots = {Shown::a, Shown::b};
 
+// The index of A or B in kKeptSlots.
+constexpr std::size_t indexOf(const Shown slot) { return slot == Shown::b ? 1 : 0; }
+
 constexpr const char* nameOf(const Shown slot) {
     return slot == Shown::a ? "A" : slot == Shown::b ? "B" : "the present view";
 }
@@ -47,8 +50,6 @@ class KeptViews {
     KeptView leave();
 
   private:
-    static std::size_t indexOf(Shown slot) { return slot == Shown::b ? 1 : 0; }
-
     std::array<std::optional<KeptView>, 2> slots_;
     Shown shown_ = Shown::present;
     KeptView present_; // while another is shown

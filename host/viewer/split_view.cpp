@@ -159,7 +159,7 @@ void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {
             commands.fill(screen.pixels, kEmptyPixel);
         }
     } else if (screen.isEmpty) { // otherwise it has been stretched before
-        stretched.record(commands, *screen.pixelsBefore, screen.sizeBefore, screen);
+        stretched.record(commands, {*screen.pixelsBefore, screen.sizeBefore}, screen);
     }
 }
 

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Fills the screen with an older picture of it, stretched if the sizes differ, with the kernel `present`.
+// Fills the screen with an older picture of it, stretched if the sizes differ.
 #pragma once
-#include "metamarch/viewer/screen.h"
-#include "metamarch/vulkan/compute_pipeline.h"
-#include "metamarch/vulkan/submission.h"
-
-#include <optional>
+#include "metamarch/viewer/present_kernel.h"
 
 namespace metamarch::viewer {
 
 class StretchedPicture {
   public:
-    explicit StretchedPicture(const vulkan::Device& usedDevice) : device_(usedDevice) {}
+    explicit StretchedPicture(const vulkan::Device& device)
+        : stretching_(device, PresentKernel::Behind::nothing) {}
 
-    // `pixels` are rows from the top, in the screen's order of channels. Call it at most once per frame.
-    void record(vulkan::Commands& commands, const vulkan::Buffer& pixels, glm::uvec2 size,
-                const Screen& screen);
+    // `picture` has the screen's order of channels. Call it at most once per frame.
+    void record(vulkan::Commands& commands, const DevicePicture& picture, const Screen& screen) {
+        // Both have the same order in memory, so no bytes are exchanged.
+        Screen inThatOrder = screen;
+        inThatOrder.isBlueFirst = false;
+        stretching_.record(commands, inThatOrder, 0, screen.size.x, picture, picture,
+                           {picture.pixels, {0, 0}});
+    }
 
   private:
-    const vulkan::Device& device_;
-    std::optional<vulkan::ComputePipeline> stretching_; // created on first use
+    PresentKernel stretching_;
 };
 
 } // namespace metamarch::viewer

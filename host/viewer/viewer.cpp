@@ -100,6 +100,7 @@ class Viewer {
                 continue;
             }
             state.size = presenter.size();
+            followSize();
             const KeptView before{state.camera, state.settings};
             controls.apply(input, window, seconds, state);
             keepStep();
@@ -213,8 +214,7 @@ class Viewer {
         if (isOther) {
             recentFiles.add(state.file);
             state.history.start(camera);
-            state.kept.forget();
-            keptPictures.forget();
+            forgetKept();
             state.playback.isPlaying = false;
         }
         if (isFirst && options.hasTour) {
@@ -406,6 +406,23 @@ class Viewer {
         } catch (const Error& error) {
             state.say(error.what());
         }
+    }
+
+    // A picture that is still to be kept takes the window's size of now.
+    void followSize() {
+        try {
+            keptPictures.follow(state.size);
+        } catch (const Error& error) {
+            presenter.wait();
+            forgetKept();
+            state.say(fmt::format("{}; A and B are forgotten", error.what()));
+        }
+    }
+
+    void forgetKept() {
+        showKept(Shown::present);
+        state.kept.forget();
+        keptPictures.forget();
     }
 
     void showKept(const Shown wanted) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/viewport.h"
 
-#include "metamarch/render/kernel.h"
-#include "metamarch/shared/backdrop.h"
 #include "metamarch/shared/tile_order.h"
 
 #include <algorithm>
@@ -42,13 +40,6 @@ glm::uvec2 fittingSize(const vulkan::Device& device, const glm::uvec2 window) {
     return size;
 }
 
-vulkan::ComputePipeline presentKernel(const vulkan::Device& device, const bool hasBackdrop) {
-    return render::makeKernel(device, "present",
-                              {.storageBindings = {kBindInput, kBindCoarse, kBindBackdrop, kBindOutput},
-                               .pushConstantSize = sizeof(PresentPush),
-                               .specialization = {{kSpecBackdrop, hasBackdrop ? 1u : 0u}}});
-}
-
 } // namespace
 
 Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scene,
@@ -57,8 +48,8 @@ Viewport::Viewport(const vulkan::Device& device, const render::DeviceScene& scen
     : name(traversal), fineSize(fittingSize(device, size)),
       coarse(device, scene, traversal, divided(fineSize, kCoarseness.front()), shaders),
       sharp(device, scene, traversal, fineSize, shaders), fine(device, scene, traversal, fineSize, shaders),
-      presenting(presentKernel(device, false)), presentingOver(presentKernel(device, true)),
-      backdrop(usedBackdrop) {}
+      presenting(device, PresentKernel::Behind::nothing),
+      presentingOver(device, PresentKernel::Behind::backdrop), backdrop(usedBackdrop) {}
 
 void Viewport::start(const RenderRequest& request, const double seconds) {
     const double pixels = static_cast<double>(fineSize.x) * fineSize.y;
@@ -118,15 +109,9 @@ void Viewport::record(vulkan::Commands& commands, const Screen& screen, const st
         return;
     }
     const glm::uvec2 texels = hasBackdrop ? backdrop.size() : glm::uvec2(0);
-    vulkan::ComputePipeline& kernel = texels.x > 0 ? presentingOver : presenting;
-    kernel.bind(kBindInput, upper.picture());
-    kernel.bind(kBindCoarse, lower.picture());
-    kernel.bind(kBindBackdrop, backdrop.texels());
-    kernel.bind(kBindOutput, screen.pixels);
-    commands.dispatch(kernel, {(end - first + kScreenTile - 1) / kScreenTile, screen.size.y, 1},
-                      PresentPush{screen.size.x, screen.size.y, first, end, upper.size().x, upper.size().y,
-                                  lower.size().x, lower.size().y, screen.isBlueFirst ? 1u : 0u, texels.x,
-                                  texels.y});
+    PresentKernel& kernel = texels.x > 0 ? presentingOver : presenting;
+    kernel.record(commands, screen, first, end, {upper.picture(), upper.size()},
+                  {lower.picture(), lower.size()}, {backdrop.texels(), texels});
 }
 
 } // namespace metamarch::viewer

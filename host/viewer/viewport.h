@@ -4,6 +4,7 @@
 // noise.
 #pragma once
 #include "metamarch/viewer/backdrop.h"
+#include "metamarch/viewer/present_kernel.h"
 #include "metamarch/viewer/progressive_image.h"
 #include "metamarch/viewer/screen.h"
 
@@ -47,8 +48,8 @@ class Viewport {
     ProgressiveImage coarse;
     ProgressiveImage sharp; // the preview at the size of the fine picture
     ProgressiveImage fine;
-    vulkan::ComputePipeline presenting;     // the kernel `present`
-    vulkan::ComputePipeline presentingOver; // the same, over a backdrop
+    PresentKernel presenting;
+    PresentKernel presentingOver; // a backdrop
     const Backdrop& backdrop;
     bool hasBackdrop = false; // behind the picture; a view that is chosen has none
     bool hasPreview = false;
