@@ -194,6 +194,10 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
             state.toShow = Shown::present;
             return true;
         }
+        if (state.zoom.isOn()) {
+            state.zoom.end();
+            return true;
+        }
         state.selected.reset();
         state.march.reset();
         return true;

@@ -25,11 +25,12 @@ constexpr KeyHelp kHelp[] = {
     {"right drag", "look around"},
     {"middle or Shift+left drag", "pan"},
     {"wheel", "zoom to the cursor"},
+    {"Ctrl+wheel", "zoom into the pixels; a drag then moves the picture"},
     {"W A S D, Q E", "fly; Shift: faster"},
     {"left click", "pick a triangle"},
     {"Ctrl+click", "focus there, with a lens"},
     {"Alt+click, M", "march the ray there, step by step"},
-    {"Esc", "forget what is picked, and the march; back from A or B"},
+    {"Esc", "forget what is picked, and the march; back from A or B, or from pixels"},
     {"Home, F", "frame all; what is picked, or the step"},
     {"Enter", "the first view"},
     {"1 3 7, Ctrl", "from the front, right, top; the opposite"},
@@ -100,13 +101,18 @@ void Controls::apply(const Input& input, const Window& window, const double seco
     const glm::vec2 cursor = window.cursor();
     state.cursor = cursor;
     drag(cursor, state);
+    const glm::vec2 place = state.zoom.toPicture(cursor);
     if (input.scroll != 0.0f && !panels.WantCaptureMouse) {
-        zoom(state.camera, std::pow(kZoomPerClick, input.scroll), pointUnder(state, cursor));
+        zoom(state.camera, std::pow(kZoomPerClick, input.scroll), pointUnder(state, place));
+    }
+    if (input.scrollWithCtrl != 0.0f && !panels.WantCaptureMouse) {
+        const float clicks = std::max(std::abs(input.scrollWithCtrl), 1.0f); // a touchpad sends parts
+        state.zoom.zoom(static_cast<int>(std::copysign(clicks, input.scrollWithCtrl)), cursor, state.size);
     }
     if (!panels.WantTextInput) {
         for (const KeyPress& press : input.keys) {
             if (press.key == GLFW_KEY_M && !press.isRepeat) {
-                march(cursor, state);
+                march(place, state);
             }
         }
         fly(window, seconds, state);
@@ -117,7 +123,7 @@ void Controls::applyButton(const ButtonChange& change, ViewerState& state) {
     if (!change.isPressed) {
         drag(change.place, state);
         if (dragging != Drag::none && !hasMoved && change.button == GLFW_MOUSE_BUTTON_LEFT) {
-            click(pressedAt, modifiersThen, state);
+            click(state.zoom.toPicture(pressedAt), modifiersThen, state);
         }
         dragging = Drag::none;
         return;
@@ -125,10 +131,16 @@ void Controls::applyButton(const ButtonChange& change, ViewerState& state) {
     pressedAt = last = change.place;
     hasMoved = false;
     modifiersThen = change.modifiers;
-    const float line = state.settings.splitAt * static_cast<float>(state.size.x);
+    const float line =
+        state.zoom.toWindow({state.settings.splitAt * static_cast<float>(state.size.x), 0.0f}).x;
     if (change.button == GLFW_MOUSE_BUTTON_LEFT) {
         const bool isOnLine = state.hasSplit() && std::abs(change.place.x - line) <= kSplitReach;
-        dragging = isOnLine ? Drag::split : change.modifiers & GLFW_MOD_SHIFT ? Drag::pan : Drag::orbit;
+        dragging = isOnLine                            ? Drag::split
+                   : state.zoom.isOn()                 ? Drag::picture
+                   : change.modifiers & GLFW_MOD_SHIFT ? Drag::pan
+                                                       : Drag::orbit;
+    } else if (state.zoom.isOn()) {
+        dragging = Drag::picture;
     } else if (change.button == GLFW_MOUSE_BUTTON_MIDDLE) {
         dragging = Drag::pan;
     } else if (change.button == GLFW_MOUSE_BUTTON_RIGHT) {
@@ -154,7 +166,10 @@ void Controls::drag(const glm::vec2 cursor, ViewerState& state) {
         pan(state.camera, -moved.x / size.y, moved.y / size.y);
         break;
     case Drag::split:
-        state.settings.splitAt = std::clamp(cursor.x / size.x, 0.0f, 1.0f);
+        state.settings.splitAt = std::clamp(state.zoom.toPicture(cursor).x / size.x, 0.0f, 1.0f);
+        break;
+    case Drag::picture:
+        state.zoom.move(moved, state.size);
         break;
     case Drag::none:
         break;

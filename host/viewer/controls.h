@@ -25,7 +25,7 @@ class Controls {
     void apply(const Input& input, const Window& window, double seconds, ViewerState& state);
 
   private:
-    enum class Drag { none, orbit, look, pan, split };
+    enum class Drag { none, orbit, look, pan, split, picture };
 
     void applyButton(const ButtonChange& change, ViewerState& state);
     void applyKey(const KeyPress& press, ViewerState& state);

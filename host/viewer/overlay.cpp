@@ -40,17 +40,18 @@ ImVec2 at(const glm::vec2 place) { return {place.x, place.y}; }
 
 class Painter {
   public:
-    explicit Painter(const Camera& usedCamera) : camera(usedCamera), list(*ImGui::GetBackgroundDrawList()) {}
+    Painter(const Camera& usedCamera, const PixelZoom& usedZoom)
+        : camera(usedCamera), zoom(usedZoom), list(*ImGui::GetBackgroundDrawList()) {}
 
     void line(const glm::vec3& from, const glm::vec3& to, const ImU32 color, const float width) {
         if (const auto shown = project(camera, from, to)) {
-            list.AddLine(at((*shown)[0]), at((*shown)[1]), color, width);
+            list.AddLine(at(zoom.toWindow((*shown)[0])), at(zoom.toWindow((*shown)[1])), color, width);
         }
     }
 
     void dot(const glm::vec3& place, const ImU32 color, const float radius) {
         if (const auto shown = project(camera, place, place)) {
-            list.AddCircleFilled(at((*shown)[0]), radius, color);
+            list.AddCircleFilled(at(zoom.toWindow((*shown)[0])), radius, color);
         }
     }
 
@@ -70,6 +71,7 @@ class Painter {
 
   private:
     const Camera& camera;
+    const PixelZoom& zoom;
     ImDrawList& list;
 };
 
@@ -101,7 +103,7 @@ void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march
 }
 
 // Fills the parts of the faces that no surface hides.
-void fillBox(const std::vector<SolidPart>& parts, const ImU32 color) {
+void fillBox(const std::vector<SolidPart>& parts, const PixelZoom& zoom, const ImU32 color) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     const ImVec4 base = ImGui::ColorConvertU32ToFloat4(color);
@@ -114,18 +116,18 @@ void fillBox(const std::vector<SolidPart>& parts, const ImU32 color) {
             list.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
         }
         for (const SolidPoint& point : part.corners) {
-            list.PrimWriteVtx(at(point.place), white,
+            list.PrimWriteVtx(at(zoom.toWindow(point.place)), white,
                               lit | (point.isSeen ? kSolidAlpha << IM_COL32_A_SHIFT : 0u));
         }
     }
 }
 
 // Hidden parts of edges are faint.
-void drawEdges(const std::vector<SolidEdge>& edges, const ImU32 color) {
+void drawEdges(const std::vector<SolidEdge>& edges, const PixelZoom& zoom, const ImU32 color) {
     constexpr ImU32 kFaint = 50u << IM_COL32_A_SHIFT;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const SolidEdge& edge : edges) {
-        list.AddLine(at(edge.ends[0]), at(edge.ends[1]),
+        list.AddLine(at(zoom.toWindow(edge.ends[0])), at(zoom.toWindow(edge.ends[1])),
                      edge.isSeen ? color : (color & ~IM_COL32_A_MASK) | kFaint, edge.isSeen ? 1.5f : 1.0f);
     }
 }
@@ -147,8 +149,8 @@ void drawChosenStep(Painter& painter, const Camera& camera, ViewerState& state, 
     const MarchStep& step = march.log.steps[index];
     const Bounds box = worldBox(lattice, step.exitBox);
     followBox(state, camera, box);
-    fillBox(state.shownBox.solid.parts, colorOf(step));
-    drawEdges(state.shownBox.solid.edges, colorOf(step));
+    fillBox(state.shownBox.solid.parts, state.zoom, colorOf(step));
+    drawEdges(state.shownBox.solid.edges, state.zoom, colorOf(step));
     painter.box(worldBox(lattice, {step.cell, step.cell + 1}), marchColor(MarchPart::cell), 2.5f);
     painter.dot(march.origin + march.dir * step.tNear, marchColor(MarchPart::cell), 4.0f);
     if (step.isFinal) {
@@ -266,7 +268,7 @@ std::string viewportText(const std::string& traversal, const double seconds) {
 
 void drawSplit(const ViewerState& state) {
     const glm::vec2 size(state.size);
-    const float line = state.settings.splitAt * size.x;
+    const float line = state.zoom.toWindow({state.settings.splitAt * size.x, 0.0f}).x;
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, size.y}, kInk, 2.0f);
     const std::string left = viewportText(state.settings.traversal, state.statistics.viewports[0].seconds);
     const float y = size.y - 2.0f * ImGui::GetFontSize();
@@ -303,7 +305,7 @@ void drawMessages(const ViewerState& state) {
 
 void drawOverlay(ViewerState& state) {
     const Camera camera = state.traced();
-    Painter painter(camera);
+    Painter painter(camera, state.zoom);
     if (state.selected) {
         drawPick(painter, *state.selected);
     }
@@ -316,6 +318,18 @@ void drawOverlay(ViewerState& state) {
     if (state.settings.view && render::kViewNames[*state.settings.view].scale != render::ViewScale::none) {
         drawLegend(state);
     }
+}
+
+void drawZoom(const ViewerState& state) {
+    if (!state.zoom.isOn()) {
+        return;
+    }
+    const float text = ImGui::GetFontSize();
+    const glm::vec2 pixel = glm::floor(state.zoom.toPicture(state.cursor));
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    list.AddRect(at(state.zoom.toWindow(pixel) - 1.0f), at(state.zoom.toWindow(pixel + 1.0f) + 1.0f), kInk);
+    drawLabel({0.5f * static_cast<float>(state.size.x), text},
+              fmt::format("{} x, pixel {}, {}", state.zoom.scale(), pixel.x, pixel.y));
 }
 
 void drawReadOut(const ViewerState& state) {

@@ -22,6 +22,10 @@ std::uint32_t marchColor(MarchPart part); // as Dear ImGui's ImU32
 // Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(ViewerState& state);
 
+// Marks the pixel under the cursor, while the user has zoomed into pixels. Call it within a frame of Dear
+// ImGui.
+void drawZoom(const ViewerState& state);
+
 // Draws ViewerState::readOut beside the cursor. Call it within a frame of Dear ImGui.
 void drawReadOut(const ViewerState& state);
 

@@ -220,7 +220,7 @@ std::optional<std::uint32_t> Presenter::acquire() {
     return std::nullopt;
 }
 
-void Presenter::endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint) {
+void Presenter::endFrame(const Paint& paint) {
     ImGui::Render();
     try {
         wait();
@@ -245,14 +245,14 @@ void Presenter::endFrame(const std::function<void(vulkan::Commands&, const Scree
     }
 }
 
-void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&)>& paint,
-                       const std::uint32_t image) {
+void Presenter::record(const Paint& paint, const std::uint32_t image) {
     const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
     commandBuffer.reset();
     commandBuffer.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     vulkan::Commands commands(device, commandBuffer);
-    paint(commands, {chain->size(), *screen, chain->isBlueFirst(), isScreenEmpty,
-                     screenBefore ? &*screenBefore : nullptr, sizeBefore});
+    const vulkan::Buffer& shown =
+        paint(commands, {chain->size(), *screen, chain->isBlueFirst(), isScreenEmpty,
+                         screenBefore ? &*screenBefore : nullptr, sizeBefore});
     isScreenEmpty = false;
 
     const vk::MemoryBarrier painted(Access::eShaderWrite | Access::eTransferWrite, Access::eTransferRead);
@@ -263,7 +263,7 @@ void Presenter::record(const std::function<void(vulkan::Commands&, const Screen&
                                   toCopy);
     const vk::Extent3D extent(chain->size().x, chain->size().y, 1);
     commandBuffer.copyBufferToImage(
-        screen->handle(), chain->image(image), Layout::eTransferDstOptimal,
+        shown.handle(), chain->image(image), Layout::eTransferDstOptimal,
         vk::BufferImageCopy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {0, 0, 0}, extent));
     commandBuffer.beginRenderPass(vk::RenderPassBeginInfo(*renderPass, *framebuffers[image],
                                                           {{0, 0}, {chain->size().x, chain->size().y}}),

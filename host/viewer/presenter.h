@@ -25,9 +25,12 @@ class Presenter {
     // window is minimised.
     bool beginFrame();
 
-    // Ends the frame: `paint` writes the screen's pixels, and the panels are drawn over them. Waits for the
-    // previous frame.
-    void endFrame(const std::function<void(vulkan::Commands&, const Screen&)>& paint);
+    // Writes the screen's pixels, and returns what the window shows: these pixels, or others of the same size
+    // and order.
+    using Paint = std::function<const vulkan::Buffer&(vulkan::Commands&, const Screen&)>;
+
+    // Ends the frame: the panels are drawn over what `paint` returns. Waits for the previous frame.
+    void endFrame(const Paint& paint);
 
     // Asks for a copy of the next frame that is shown, panels included. Returns false if the screen gives
     // none.
@@ -48,7 +51,7 @@ class Presenter {
     bool hasNoSize() const;
     bool makeChain();
     void startPanels();
-    void record(const std::function<void(vulkan::Commands&, const Screen&)>& paint, std::uint32_t image);
+    void record(const Paint& paint, std::uint32_t image);
     void recordCopy(std::uint32_t image);
     std::optional<std::uint32_t> acquire();
 

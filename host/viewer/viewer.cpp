@@ -12,6 +12,7 @@
 #include "metamarch/viewer/controls.h"
 #include "metamarch/viewer/heat_range.h"
 #include "metamarch/viewer/kept_pictures.h"
+#include "metamarch/viewer/magnifier.h"
 #include "metamarch/viewer/overlay.h"
 #include "metamarch/viewer/panels.h"
 #include "metamarch/viewer/picture_saver.h"
@@ -55,7 +56,8 @@ class Viewer {
                      return system.presents(*context.instance(), candidate, queueFamily);
                  }),
           presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          scenes(options.scene, options.settings), keptPictures(device), backdrop(device), splitView(device) {
+          scenes(options.scene, options.settings), keptPictures(device), magnifier(device), backdrop(device),
+          splitView(device) {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = shaders.folder().string();
@@ -115,11 +117,13 @@ class Viewer {
             player.playMarch(seconds, state);
             fitHeat();
             followOrShow(before);
+            followZoom();
             if (state.scene) {
                 if (!isKeptShown()) {
                     state.history.follow(state.camera, seconds);
                 }
                 drawOverlay(state);
+                drawZoom(state);
                 readOut();
                 drawReadOut(state);
             }
@@ -132,10 +136,12 @@ class Viewer {
                 quietFrames = 0;
             }
             state.filterRefusal = splitView.isEmpty() ? "" : splitView.progressive().filterRefusal();
-            presenter.endFrame([&](vulkan::Commands& commands, const Screen& screen) {
-                splitView.paint(commands, screen, state.settings.splitAt);
-                keptPictures.paint(commands, screen, state.kept.shown());
-            });
+            presenter.endFrame(
+                [&](vulkan::Commands& commands, const Screen& screen) -> const vulkan::Buffer& {
+                    splitView.paint(commands, screen, state.settings.splitAt);
+                    keptPictures.paint(commands, screen, state.kept.shown());
+                    return state.zoom.isOn() ? magnifier.record(commands, screen, state.zoom) : screen.pixels;
+                });
             saveWindow();
             splitView.measure(state.statistics);
             window.setTitle(titleText());
@@ -376,7 +382,7 @@ class Viewer {
         if (!state.settings.hasReadOut || !isInside) {
             return;
         }
-        const glm::uvec2 pixel(state.cursor);
+        const glm::uvec2 pixel(state.zoom.toPicture(state.cursor));
         state.readOut = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
         if (!splitView.isEmpty() && !state.settings.view && !isKeptShown()) {
             const ProgressiveImage& film = splitView.progressive();
@@ -446,6 +452,22 @@ class Viewer {
         }
         if (const std::optional<Shown> wanted = std::exchange(state.toShow, std::nullopt)) {
             showKept(*wanted);
+        }
+    }
+
+    // --- zoom into pixels ---
+
+    void followZoom() {
+        state.zoom.follow(state.size);
+        if (!state.zoom.isOn() || magnifier.isReady(state.size)) {
+            return;
+        }
+        try {
+            presenter.wait();
+            magnifier.make(state.size);
+        } catch (const Error& error) {
+            state.zoom.end();
+            state.say(error.what());
         }
     }
 
@@ -620,6 +642,7 @@ class Viewer {
     std::optional<Denoiser> denoiser; // loaded on first use
     std::unique_ptr<render::DeviceScene> deviceScene;
     KeptPictures keptPictures;
+    Magnifier magnifier;
     Backdrop backdrop;
     SplitView splitView; // uses the device scene, the denoiser and the backdrop
     RecentFiles recentFiles;

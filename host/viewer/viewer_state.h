@@ -4,6 +4,7 @@
 #include "metamarch/settings/render_settings.h"
 #include "metamarch/viewer/kept_views.h"
 #include "metamarch/viewer/pick.h"
+#include "metamarch/viewer/pixel_zoom.h"
 #include "metamarch/viewer/scene_loader.h"
 #include "metamarch/viewer/solid_box.h"
 #include "metamarch/viewer/view_camera.h"
@@ -35,7 +36,7 @@ enum class Action {
     bottomView,
     undoView,
     redoView,
-    clearMarks, // or back from a kept view
+    clearMarks, // or back from a kept view, or from zoomed pixels
     keepA,
     keepB,
     flipKept,
@@ -130,6 +131,7 @@ struct ViewerState {
     bool isMarchPlaying = false;
     ShownBox shownBox;                     // of that step
     std::optional<std::size_t> tourScreen; // index in tour(); none: there is no tour
+    PixelZoom zoom;                        // into the picture's pixels
     glm::vec2 cursor{0.0f};                // pixels of the window, from its upper left corner
     std::vector<std::string> readOut;      // of the pixel there
     std::string_view filterRefusal;        // why the device does not filter the picture; empty: it does

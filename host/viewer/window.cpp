@@ -73,7 +73,10 @@ Window::Window(const WindowSystem&, const glm::uvec2 size, const std::string& fi
         windowOf(at).cursorPlace = {x, y};
     });
     glfwSetScrollCallback(window, [](GLFWwindow* const at, double, const double clicks) {
-        windowOf(at).input.scroll += static_cast<float>(clicks);
+        const bool hasCtrl = glfwGetKey(at, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                             glfwGetKey(at, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
+        Input& seen = windowOf(at).input;
+        (hasCtrl ? seen.scrollWithCtrl : seen.scroll) += static_cast<float>(clicks);
     });
     glfwSetDropCallback(window, [](GLFWwindow* const at, const int count, const char** const paths) {
         windowOf(at).input.dropped.assign(paths, paths + count);

@@ -31,7 +31,8 @@ struct Input {
     std::vector<KeyPress> keys;
     std::vector<ButtonChange> buttons;
     std::vector<std::filesystem::path> dropped;
-    float scroll = 0.0f; // clicks of the wheel; positive: away from the user
+    float scroll = 0.0f;         // clicks of the wheel; positive: away from the user
+    float scrollWithCtrl = 0.0f; // the same, while Ctrl was held
 };
 
 // Initialises GLFW. At most one may exist at a time.

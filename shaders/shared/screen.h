@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The kernels that turn films into the bytes of a screen: `resolve` makes pictures with 8 bits per channel,
-// and `present` composites such pictures at the screen's size.
+// `present` composites such pictures at the screen's size, and `magnify` shows a part of the result.
 #ifndef METAMARCH_SHARED_SCREEN_H
 #define METAMARCH_SHARED_SCREEN_H
 #include "tile_order.h"
@@ -38,6 +38,19 @@ struct PresentPush {
     uint backdropRows;
 };
 
+// `magnify` shows a part of a picture that has the screen's size: each pixel as a block of scale x scale.
+struct MagnifyPush {
+    uint width; // of screen and picture, in pixels
+    uint scale;
+    uint skippedColumns; // of the screen, left of what it shows; less than width * scale - width
+    uint skippedRows;
+};
+
+// Returns the pixel of the picture that `magnify` shows at pixel `i` of the screen, on one axis.
+SHARED_FN uint magnifiedPixel(const uint i, const uint skipped, const uint scale) {
+    return (i + skipped) / scale;
+}
+
 // Returns the pixel of a picture with `size` pixels that lies under pixel `i` of a screen with `screen`
 // pixels, on one axis.
 SHARED_FN uint pixelUnder(const uint i, const uint size, const uint screen) { return i * size / screen; }
@@ -48,6 +61,7 @@ SHARED_FN uint withBlueFirst(const uint pixel) {
 
 SHARED_ASSERT_SIZE(ResolvePush, 40)
 SHARED_ASSERT_SIZE(PresentPush, 44)
+SHARED_ASSERT_SIZE(MagnifyPush, 16)
 
 SHARED_END
 #endif

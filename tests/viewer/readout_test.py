@@ -1,9 +1,51 @@
 # SPDX-License-Identifier: MIT
 """The values of the pixel under the cursor."""
+from display import WHEEL_DOWN, WHEEL_UP
 from viewer import CORNELL, ViewerTest, main
 
 
+def magnified(picture, scale, skipped):
+    """What a zoom into pixels shows; `skipped` are the window's pixels left of it and above."""
+    width, height, pixels = picture
+    rows = []
+    for y in range(height):
+        at = (y + skipped[1]) // scale * width
+        rows.append(b"".join(pixels[3 * (at + x):3 * (at + x) + 3] for x in ((i + skipped[0]) // scale for i in range(width))))
+    return b"".join(rows)
+
+
 class ReadoutTest(ViewerTest):
+    def wheel(self, viewer, button, clicks):
+        viewer.display.hold("Control_L", True)
+        for _ in range(clicks):
+            viewer.display.press(button)
+            viewer.display.release(button)
+        viewer.display.hold("Control_L", False)
+
+    def test_zooms_into_pixels(self):
+        viewer = self.open(CORNELL, "--spp", "2", size="480x360")
+        viewer.display.move(viewer.window, 200, 100)
+        viewer.wait_for_samples()
+        plain = viewer.wait_for_still()
+        below = 3 * 480 * 180  # below the cursor and the label
+        self.wheel(viewer, WHEEL_UP, 3)
+        place = [7 * 200, 7 * 100]
+        shown = viewer.wait_for_still_other_than(plain)
+        self.assertEqual(shown[2][below:], magnified(plain, 8, place)[below:])
+        viewer.drag((300, 60), (180, 40))  # the picture, and not the camera
+        shown = viewer.wait_for_still_other_than(shown)
+        self.assertEqual(shown[2][below:], magnified(plain, 8, (place[0] + 120, place[1] + 20))[below:])
+        viewer.click(10, 300)  # picks what is seen there
+        viewer.wait_for_still_other_than(shown)
+        viewer.key("Escape")  # first from the pixels
+        viewer.key("Escape")
+        viewer.wait_for_picture(plain)
+        self.wheel(viewer, WHEEL_UP, 1)
+        viewer.wait_for_still_other_than(plain)
+        self.wheel(viewer, WHEEL_DOWN, 1)
+        viewer.wait_for_picture(plain)
+        self.quit(viewer)
+
     def test_follows_the_cursor(self):
         viewer = self.open(CORNELL, "--spp", "1", size="480x360")
         viewer.display.move(viewer.window, 100, 60)
