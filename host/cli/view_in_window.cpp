@@ -29,7 +29,8 @@ viewer::ViewCamera poseOf(const ViewChoice& view) {
     return camera;
 }
 
-viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene, const float aspect) {
+viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene,
+                                    const viewer::ViewerOptions::FrameAll& frameAll) {
     viewer::ViewCamera camera;
     if (view.eye && view.target) {
         camera = poseOf(view);
@@ -38,7 +39,7 @@ viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene, 
         camera = viewer::ofFile(scene, static_cast<std::size_t>(&chosen - scene.cameras.data()),
                                 viewer::distanceTo(boundsOf(scene), chosen.eye));
     } else {
-        camera = viewer::framing(boundsOf(scene), aspect, view.verticalFov.value_or(camera.verticalFov));
+        camera = frameAll(view.verticalFov.value_or(camera.verticalFov));
     }
     camera.verticalFov = view.verticalFov.value_or(camera.verticalFov);
     camera.apertureRadius = view.lens.apertureRadius;
@@ -93,8 +94,8 @@ void runView(const ViewOptions& options) {
     if (!options.shown.empty()) {
         settings.view = std::ranges::find(render::kViewNames, options.shown, &render::ViewName::name)->view;
     }
-    request.chooseCamera = [&](const Scene& scene, const float aspect) {
-        return chooseViewCamera(options.view, scene, aspect);
+    request.chooseCamera = [&](const Scene& scene, const viewer::ViewerOptions::FrameAll& frameAll) {
+        return chooseViewCamera(options.view, scene, frameAll);
     };
     request.device = options.device;
     request.shaderFolder = options.shaderFolder.empty() ? METAMARCH_SHADER_FOLDER : options.shaderFolder;

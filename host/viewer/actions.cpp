@@ -17,9 +17,9 @@ namespace {
 void frameSelected(ViewerState& state) {
     if (!state.selected) {
         if (const std::optional<std::size_t> step = state.shownStep()) {
-            state.camera = framing(
+            state.camera = state.framed(
                 worldBox(state.scene->shown.structure->lattice, state.march->log.steps[*step].exitBox),
-                state.aspect(), state.camera);
+                state.camera);
         }
         return;
     }
@@ -33,7 +33,7 @@ void frameSelected(ViewerState& state) {
             }
         }
     }
-    state.camera = framing(bounds, state.aspect(), state.camera);
+    state.camera = state.framed(bounds, state.camera);
 }
 
 void nextCamera(ViewerState& state) {
@@ -58,7 +58,7 @@ std::string nextTraversal(const vulkan::DeviceReport& device, const std::string&
 }
 
 void turnTo(ViewerState& state, const glm::vec3& towards) {
-    state.camera = axisView(state.scene->bounds, state.aspect(), towards, state.camera);
+    state.camera = state.alongAxis(state.scene->bounds, towards);
 }
 
 void goTo(ViewerState& state, const std::optional<ViewCamera>& view, const char* const otherwise) {
@@ -140,9 +140,9 @@ float distanceTo(const Bounds& scene, const glm::vec3& eye) {
     return std::isfinite(distance) && distance > 0.0f ? distance : 1.0f;
 }
 
-ViewCamera firstCamera(const LoadedScene& scene, const float aspect) {
+ViewCamera firstCamera(const LoadedScene& scene, const ViewerState& state) {
     const std::vector<SceneCamera>& cameras = scene.whole->cameras;
-    return cameras.empty() ? framing(scene.bounds, aspect, ViewCamera().verticalFov)
+    return cameras.empty() ? state.framed(scene.bounds, ViewCamera().verticalFov)
                            : ofFile(*scene.whole, 0, distanceTo(scene.bounds, cameras[0].eye));
 }
 
@@ -157,7 +157,7 @@ bool perform(const Action action, const vulkan::DeviceReport& device, ViewerStat
     }
     switch (action) {
     case Action::frameAll:
-        state.camera = framing(state.scene->bounds, state.aspect(), state.camera);
+        state.camera = state.framed(state.scene->bounds, state.camera);
         return true;
     case Action::frameSelected:
         frameSelected(state);

@@ -11,7 +11,7 @@ float distanceTo(const Bounds& scene, const glm::vec3& eye);
 
 // Returns the camera that a scene is first seen with if the user has not chosen one: the first camera of its
 // file, or, if it has none, one that sees the whole scene.
-ViewCamera firstCamera(const LoadedScene& scene, float aspect);
+ViewCamera firstCamera(const LoadedScene& scene, const ViewerState& state);
 
 // Returns false for an action that a window without a scene can perform too.
 bool needsScene(Action action);

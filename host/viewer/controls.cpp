@@ -156,9 +156,13 @@ void Controls::drag(const glm::vec2 cursor, ViewerState& state) {
     }
     const glm::vec2 size(state.size);
     switch (dragging) {
-    case Drag::orbit:
+    case Drag::orbit: { // around the middle of what no panel covers
+        const float aside = state.freeMiddle();
+        pan(state.camera, aside, 0.0f);
         orbit(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
+        pan(state.camera, -aside, 0.0f);
         break;
+    }
     case Drag::look:
         look(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
         break;

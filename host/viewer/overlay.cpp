@@ -184,26 +184,30 @@ float legendOf(const glm::vec2 corner, const float width, ImDrawList* const list
     return place.y + 1.3f * text;
 }
 
-// Says above the window's lower edge what the step does, and what the colours mean.
-void drawStory(const ViewerState& state, const std::size_t index) {
+// Says above the window's lower edge what the step does, and what the colours mean. Returns how high above
+// that edge its box ends.
+float drawStory(const ViewerState& state, const std::size_t index) {
     const MarchLog& log = state.march->log;
     const std::string told =
         fmt::format("Step {} of {}. {}", index + 1, log.steps.size(), sentenceOf(log, index));
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float text = ImGui::GetFontSize();
-    const float width = std::min(static_cast<float>(state.size.x) - 2.0f * text, 70.0f * text);
+    const float room = static_cast<float>(state.size.x) - state.coveredLeft;
+    const float width = std::min(room - 2.0f * text, 70.0f * text);
     const ImVec2 size = ImGui::CalcTextSize(told.c_str(), nullptr, false, width);
     const float below = legendOf({}, width, nullptr);
-    const glm::vec2 corner(0.5f * (static_cast<float>(state.size.x) - width),
+    const glm::vec2 corner(state.coveredLeft + 0.5f * (room - width),
                            static_cast<float>(state.size.y) - size.y - below - 1.6f * text);
     list.AddRectFilled(at(corner - 0.5f * text),
                        at(corner + glm::vec2(width + 0.5f * text, size.y + below + 0.9f * text)), kStoryShade,
                        4.0f);
     list.AddText(ImGui::GetFont(), text, at(corner), kInk, told.c_str(), nullptr, width);
     legendOf(corner + glm::vec2(0.0f, size.y + 0.6f * text), width, &list);
+    return static_cast<float>(state.size.y) - corner.y + 0.5f * text;
 }
 
-void drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
+// Returns how much of the window's lower edge the step's story covers.
+float drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
     const FrozenMarch& march = *state.march;
     const std::vector<MarchStep>& steps = march.log.steps;
     const std::optional<std::size_t> chosen = state.shownStep();
@@ -225,21 +229,23 @@ void drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
     if (isHit) {
         painter.dot(march.origin + march.dir * end, marchColor(MarchPart::hit), 5.0f);
     }
-    if (chosen) {
-        drawStory(state, *chosen);
-        drawWalkDiagram(state);
+    if (!chosen) {
+        return 0.0f;
     }
+    drawWalkDiagram(state);
+    return drawStory(state, *chosen);
 }
 
-// The colours of a heat map or of depths, with the numbers that they stand for.
-void drawLegend(const ViewerState& state) {
+// The colours of a heat map or of depths, with the numbers that they stand for. `covered` pixels of the
+// window's lower edge have something else.
+void drawLegend(const ViewerState& state, const float covered) {
     const std::uint32_t view = *state.settings.view;
     const bool isHeat = isHeatMap(view);
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const float text = ImGui::GetFontSize();
     const glm::vec2 size(16.0f * text, text);
     // The names of a split lie below.
-    const float below = state.hasSplit() ? 3.0f * text : 0.0f;
+    const float below = covered + (state.hasSplit() ? 3.0f * text : 0.0f);
     const glm::vec2 corner = glm::vec2(state.size) - size - glm::vec2(2.0f * text, 2.5f * text + below);
     list.AddRectFilled(at(corner - text), at(corner + size + glm::vec2(text, 2.0f * text)), kShade, 4.0f);
     constexpr int kSteps = 64;
@@ -266,12 +272,12 @@ std::string viewportText(const std::string& traversal, const double seconds) {
     return seconds > 0.0 ? fmt::format("{}: {:.1f} ms", traversal, seconds * 1e3) : traversal + ": ...";
 }
 
-void drawSplit(const ViewerState& state) {
+void drawSplit(const ViewerState& state, const float covered) {
     const glm::vec2 size(state.size);
     const float line = state.zoom.toWindow({state.settings.splitAt * size.x, 0.0f}).x;
     ImGui::GetBackgroundDrawList()->AddLine({line, 0.0f}, {line, size.y}, kInk, 2.0f);
     const std::string left = viewportText(state.settings.traversal, state.statistics.viewports[0].seconds);
-    const float y = size.y - 2.0f * ImGui::GetFontSize();
+    const float y = size.y - covered - 2.0f * ImGui::GetFontSize();
     drawLabel({line - ImGui::CalcTextSize(left.c_str()).x - 12.0f, y}, left);
     drawLabel({line + 12.0f, y},
               viewportText(state.settings.secondTraversal, state.statistics.viewports[1].seconds));
@@ -309,14 +315,12 @@ void drawOverlay(ViewerState& state) {
     if (state.selected) {
         drawPick(painter, *state.selected);
     }
-    if (state.march) {
-        drawMarch(painter, camera, state);
-    }
+    const float covered = state.march ? drawMarch(painter, camera, state) : 0.0f;
     if (state.hasSplit()) {
-        drawSplit(state);
+        drawSplit(state, covered);
     }
     if (state.settings.view && render::kViewNames[*state.settings.view].scale != render::ViewScale::none) {
-        drawLegend(state);
+        drawLegend(state, covered);
     }
 }
 

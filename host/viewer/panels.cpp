@@ -21,7 +21,8 @@ namespace {
 // The user may type a number into a slider; it is clamped as well.
 constexpr ImGuiSliderFlags kTypedWithin = ImGuiSliderFlags_AlwaysClamp;
 
-void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
+// Breaks a text that is wider than the panel.
+void line(const std::string& text) { ImGui::TextWrapped("%s", text.c_str()); }
 
 // Draws a list of names. Returns the name that the user chooses in this frame, otherwise `current`.
 template <class Names, class NameOf>
@@ -434,9 +435,9 @@ void drawHelp() {
     if (ImGui::BeginTable("keys", 2)) {
         for (const KeyHelp& help : keyHelp()) {
             ImGui::TableNextColumn();
-            line(std::string(help.keys));
+            ImGui::TextUnformatted(help.keys.data());
             ImGui::TableNextColumn();
-            line(std::string(help.what));
+            ImGui::TextUnformatted(help.what.data());
         }
         ImGui::EndTable();
     }
@@ -462,7 +463,7 @@ void drawInvitation(ViewerState& state) {
     ImGui::SetNextWindowPos({middle.x, middle.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::Begin("Empty", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-    line("drop a scene or an HDR here");
+    ImGui::TextUnformatted("drop a scene or an HDR here");
     for (std::size_t i = 0; i < state.recent.size(); ++i) {
         const std::filesystem::path& file = state.recent[i];
         if (ImGui::Selectable(fmt::format("{}##recent{}", file.filename().string(), i).c_str())) {
@@ -502,14 +503,24 @@ void drawPanels(ViewerState& state) {
     if (state.file.empty()) {
         drawInvitation(state);
     }
+    state.coveredLeft = 0.0f;
     if (!state.settings.hasPanels) {
         return;
     }
     const float text = ImGui::GetFontSize();
+    const float width = 27.0f * text;
+    const glm::vec2 size(state.size);
     ImGui::SetNextWindowPos({0.6f * text, 0.6f * text}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({27.0f * text, 0.0f},
-                                        {60.0f * text, static_cast<float>(state.size.y) - 1.2f * text});
-    ImGui::Begin("metamarch", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::SetNextWindowCollapsed(width > 0.5f * size.x, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, size.y - 1.2f * text});
+    const bool isUsed = ImGui::Begin("metamarch", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+    const float left = ImGui::GetWindowPos().x;
+    const bool isAtTheLeft = left < 0.25f * size.x && !ImGui::IsWindowCollapsed();
+    state.coveredLeft = isAtTheLeft ? std::min(left + width, 0.5f * size.x) : 0.0f;
+    if (!isUsed) { // folded, or not measured yet
+        ImGui::End();
+        return;
+    }
     ImGui::PushItemWidth(15.0f * text);
     if (header("Renderer", true)) {
         drawRenderer(state);
@@ -534,8 +545,8 @@ void drawPanels(ViewerState& state) {
             drawMarchLog(state);
         }
     }
-    if (header("Keys", false)) {
-        drawHelp();
+    if (ImGui::Button("keys (F1)")) {
+        state.actions.push_back(Action::toggleHelp);
     }
     if (!state.messages.empty() && header("Messages", true)) {
         listMessages(state);

@@ -109,6 +109,7 @@ class Viewer {
             if (!player.isSaving()) {
                 drawPanels(state);
                 drawTour(state);
+                hasDrawnPanels = true;
             }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();
@@ -166,6 +167,9 @@ class Viewer {
     bool isFirstMissing() const { return !state.scene && !options.scene.file.empty(); }
 
     void takeScene() {
+        if (!hasDrawnPanels) { // the scene is seen beside them
+            return;
+        }
         std::optional<SceneLoader::Answer> answer = scenes.take();
         if (!answer) {
             return;
@@ -234,13 +238,15 @@ class Viewer {
     // window's camera for the same file.
     ViewCamera cameraFor(const LoadedScene& loaded) const {
         if (!state.scene) {
-            return options.chooseCamera(*loaded.whole, state.aspect());
+            return options.chooseCamera(*loaded.whole, [&](const double verticalFov) {
+                return state.framed(loaded.bounds, verticalFov);
+            });
         }
         if (state.scene->request.file == loaded.request.file) {
             return followed(state.camera, *state.scene->whole, *loaded.whole,
                             glm::length(state.camera.target - state.camera.eye));
         }
-        return firstCamera(loaded, state.aspect());
+        return firstCamera(loaded, state);
     }
 
     void reloadWhatChanged() {
@@ -646,6 +652,7 @@ class Viewer {
     Backdrop backdrop;
     SplitView splitView; // uses the device scene, the denoiser and the backdrop
     RecentFiles recentFiles;
+    bool hasDrawnPanels = false;
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
     bool isKernelSaid = false;   // state.busy says that a kernel is made

@@ -14,9 +14,11 @@ struct ViewerOptions {
     SceneRequest scene; // without a file the window is empty until one is dropped on it
     Settings settings;
     bool hasTour = false; // begins with the first screen of tour()
-    // Returns the camera that the scene is first seen with, in a picture with `aspect` = width / height.
-    // Throws Error(invalidArgument) for a camera that the scene does not have.
-    std::function<ViewCamera(const Scene& scene, float aspect)> chooseCamera;
+    // Returns a camera that sees the whole scene.
+    using FrameAll = std::function<ViewCamera(double verticalFov)>;
+    // Returns the camera that the scene is first seen with. Throws Error(invalidArgument) for a camera that
+    // the scene does not have.
+    std::function<ViewCamera(const Scene& scene, const FrameAll& frameAll)> chooseCamera;
     std::string device;                 // see vulkan::chooseDevice
     glm::uvec2 size{1280, 720};         // of the window, in the screen's units
     std::filesystem::path shaderFolder; // is watched for changes; empty: none

@@ -42,6 +42,37 @@ std::optional<std::size_t> ViewerState::shownStep() const {
     return static_cast<std::size_t>(marchStep) - 1;
 }
 
+namespace {
+
+// Returns width / height of what no panel covers.
+float freeAspect(const ViewerState& state) {
+    return (static_cast<float>(state.size.x) - state.coveredLeft) / static_cast<float>(state.size.y);
+}
+
+ViewCamera besidePanel(ViewCamera camera, const ViewerState& state) {
+    pan(camera, -state.freeMiddle(), 0.0f);
+    return camera;
+}
+
+} // namespace
+
+ViewCamera ViewerState::framed(const Bounds& bounds, const double verticalFov) const {
+    return besidePanel(framing(bounds, freeAspect(*this), verticalFov), *this);
+}
+
+ViewCamera ViewerState::framed(const Bounds& bounds, const ViewCamera& from) const {
+    return besidePanel(framing(bounds, freeAspect(*this), from), *this);
+}
+
+ViewCamera ViewerState::alongAxis(const Bounds& bounds, const glm::vec3& towards) const {
+    return besidePanel(axisView(bounds, freeAspect(*this), towards, camera), *this);
+}
+
+float ViewerState::freeMiddle() const {
+    // A panorama sees all around, so nothing lies beside the panel.
+    return camera.isPanorama ? 0.0f : 0.5f * coveredLeft / static_cast<float>(size.y);
+}
+
 Camera ViewerState::traced() const {
     return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
 }

@@ -116,7 +116,8 @@ struct ViewerState {
     SettingList controls;      // the panel shows all of them
     SettingList lightControls; // the panel shows those that apply to the chosen kind of light
     ViewCamera camera;
-    glm::uvec2 size{0}; // of the window, in pixels
+    glm::uvec2 size{0};       // of the window, in pixels
+    float coveredLeft = 0.0f; // pixels of its width, from the left edge, that the panel covers
 
     std::shared_ptr<const LoadedScene> scene; // none until the first one is there
     std::string busy;                         // says what the window waits for; empty: nothing
@@ -147,7 +148,13 @@ struct ViewerState {
 
     void say(const std::string& line);
 
-    float aspect() const { return static_cast<float>(size.x) / static_cast<float>(size.y); }
+    // Return a camera that sees the whole of `bounds` beside the panel: as framing(), or as axisView().
+    ViewCamera framed(const Bounds& bounds, double verticalFov) const;
+    ViewCamera framed(const Bounds& bounds, const ViewCamera& from) const;
+    ViewCamera alongAxis(const Bounds& bounds, const glm::vec3& towards) const;
+    // Returns how far the middle of what no panel covers lies right of the window's middle. The unit is the
+    // window's height.
+    float freeMiddle() const;
     // Returns the traversals of the viewports, from left to right.
     std::vector<std::string> traversals() const;
     // Returns the index of the only step that is drawn; none if there is none, or if all are.

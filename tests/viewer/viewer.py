@@ -23,6 +23,7 @@ CORNELL = SCENES / "cornell.glb"
 DEGENERATE = SCENES / "degenerate.glb"
 OBJECTS = SCENES / "objects.glb"
 TOO_LATE = 120  # seconds
+FOLDED_BELOW, UNFOLD = 702, (18, 17)  # the panel begins folded in narrower windows; the arrow of its title
 READY = r".* - (?!busy)[\w |]+ - metamarch"  # the title while no scene is being loaded
 
 
@@ -271,6 +272,10 @@ class ViewerTest(ProgramTest):
         viewer = Viewer(self, [*([scene] if scene else []), "--size", size, *hidden, *words], environment)
         self.addCleanup(viewer.end)
         viewer.wait_for_title(READY if scene or "--tour" in words else "metamarch")
+        if panels and int(size.split("x")[0]) < FOLDED_BELOW:
+            viewer.settle()
+            viewer.click(*UNFOLD)
+            viewer.settle()
         return viewer
 
     def quit(self, viewer):
