@@ -5,6 +5,7 @@
 #include "metamarch/shared/false_color.h"
 #include "metamarch/viewer/march_story.h"
 #include "metamarch/viewer/projection.h"
+#include "metamarch/viewer/table_diagram.h"
 #include "metamarch/viewer/walk_diagram.h"
 
 #include <fmt/format.h>
@@ -233,6 +234,7 @@ float drawMarch(Painter& painter, const Camera& camera, ViewerState& state) {
         return 0.0f;
     }
     drawWalkDiagram(state);
+    drawTableDiagram(state);
     return drawStory(state, *chosen);
 }
 

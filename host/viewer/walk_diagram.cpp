@@ -17,7 +17,6 @@ constexpr ImU32 kToCome = IM_COL32(120, 125, 135, 110);
 constexpr ImU32 kVisited = IM_COL32(190, 200, 215, 220);
 
 // Measures in heights of the text.
-constexpr float kWidth = 30.0f;
 constexpr float kHeight = 19.0f;
 constexpr float kStackWidth = 6.0f;
 constexpr int kShownOnStack = 8;
@@ -26,11 +25,11 @@ class Diagram {
   public:
     Diagram(const ViewerState& state, const std::size_t usedStep)
         : march(state.march->log), walk(state.march->walk), step(usedStep), text(ImGui::GetFontSize()),
-          corner(static_cast<float>(state.size.x) - (kWidth + 1.0f) * text, text),
+          corner(static_cast<float>(state.size.x) - (kWalkWidth + 1.0f) * text, text),
           visits(visitsUpTo(walk, march, step)), list(*ImGui::GetBackgroundDrawList()) {}
 
     void draw() const {
-        list.AddRectFilled(at({0.0f, 0.0f}), at({kWidth, kHeight}), kStoryShade, 4.0f);
+        list.AddRectFilled(at({0.0f, 0.0f}), at({kWalkWidth, kHeight}), kStoryShade, 4.0f);
         write({0.6f, 0.4f}, kInk, "The same ray in the kd-tree, with a stack");
         drawTree();
         drawStack();
@@ -38,7 +37,7 @@ class Diagram {
             const std::string told = sentenceOf(walk, visits - 1);
             const ImVec2 place = at({0.6f, kHeight - 5.6f});
             list.AddText(ImGui::GetFont(), text, place, kVisited, told.c_str(), nullptr,
-                         (kWidth - 1.2f) * text);
+                         (kWalkWidth - 1.2f) * text);
         }
         drawCounters();
     }
@@ -52,7 +51,7 @@ class Diagram {
     // Visits go from left to right, depth goes down.
     ImVec2 placeOf(const std::size_t visit, const float deepest) const {
         const glm::vec2 from(1.0f, 2.2f);
-        const glm::vec2 to(kWidth - kStackWidth - 1.5f, kHeight - 6.4f);
+        const glm::vec2 to(kWalkWidth - kStackWidth - 1.5f, kHeight - 6.4f);
         const float last = std::max(static_cast<float>(walk.visits.size()) - 1.0f, 1.0f);
         const glm::vec2 part(static_cast<float>(visit) / last,
                              static_cast<float>(walk.visits[visit].depth) / deepest);
@@ -82,7 +81,7 @@ class Diagram {
     }
 
     void drawStack() const {
-        const float left = kWidth - kStackWidth;
+        const float left = kWalkWidth - kStackWidth;
         write({left, 1.9f}, kPicked, "stack");
         if (visits == 0) {
             return;
@@ -93,7 +92,7 @@ class Diagram {
         const float bottom = kHeight - 6.6f;
         for (int i = first; i < size; ++i) {
             const float y = bottom - 1.2f * static_cast<float>(i - first);
-            list.AddRect(at({left, y - 1.1f}), at({kWidth - 0.6f, y}), kPicked);
+            list.AddRect(at({left, y - 1.1f}), at({kWalkWidth - 0.6f, y}), kPicked);
             write({left + 0.3f, y - 1.1f}, kPicked, fmt::format("{}", stack[static_cast<std::size_t>(i)]));
         }
         if (first > 0) {
@@ -126,7 +125,7 @@ class Diagram {
 
 void drawWalkDiagram(const ViewerState& state) {
     const auto step = state.shownStep();
-    if (step && static_cast<float>(state.size.x) > 2.0f * kWidth * ImGui::GetFontSize() &&
+    if (step && static_cast<float>(state.size.x) > 2.0f * kWalkWidth * ImGui::GetFontSize() &&
         !state.march->walk.visits.empty()) {
         Diagram(state, *step).draw();
     }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The march of a ray, step by step: keys, what each step draws, and its pictures."""
 from pick_test import HIT, count
-from viewer import CORNELL, ViewerTest, main
+from viewer import CORNELL, OBJECTS, ViewerTest, main
 
 STACK = bytes((255, 210, 60))  # kWaiting of host/viewer/walk_diagram.cpp
 
@@ -63,6 +63,27 @@ class MarchTest(ViewerTest):
         self.assertGreater(count(viewer.wait_for_still_other_than(first), STACK), 100)
         viewer.resize(600, 400)  # too narrow
         viewer.wait_until("no diagram", lambda: count(viewer.screenshot(), STACK) == 0)
+        self.quit(viewer)
+
+    def test_the_table_below_it(self):
+        viewer = self.open(OBJECTS, "--spp", "1", "--view", "normals", size="1000x700")
+        viewer.click(450, 350, "Alt_L")
+
+        def table(picture):
+            """The part of the window that has the drawing of the table: rows of pixels."""
+            width, _height, pixels = picture
+            return [pixels[3 * (width * y + 600):3 * (width * y + 980)] for y in range(280, 550)]
+
+        whole = viewer.wait_for_still()
+        viewer.key("Right")
+        first = viewer.wait_for_still_other_than(whole)
+        self.assertTrue(all(a != b for a, b in zip(table(whole), table(first))))
+        viewer.key("Right")  # another entry, and most often another brick
+        second = viewer.wait_for_still_other_than(first)
+        self.assertGreater(sum(a != b for a, b in zip(table(first), table(second))), 20)
+        viewer.resize(1000, 600)  # too low: there is the scene again
+        low = viewer.wait_for_still_other_than(second)
+        self.assertNotEqual(table(low)[-1], table(second)[-1])
         self.quit(viewer)
 
 
