@@ -365,7 +365,19 @@ void drawReadOut(const ViewerState& state) {
 
 void drawBusy(const ViewerState& state) {
     if (!state.busy.empty() && !state.playback.isPlaying) {
-        drawLabel({12.0f, static_cast<float>(state.size.y) - 2.0f * ImGui::GetFontSize()}, state.busy);
+        const float text = ImGui::GetFontSize();
+        const glm::vec2 corner(12.0f, static_cast<float>(state.size.y) - 2.0f * text);
+        drawLabel(corner, state.busy);
+        if (!state.loadStage) {
+            return;
+        }
+        // A bar of one part for each stage: those before, and half of the present one.
+        const float part = (static_cast<float>(*state.loadStage) + 0.5f) / static_cast<float>(kLoadStages);
+        const glm::vec2 bar = corner + glm::vec2(0.0f, 1.3f * text);
+        const glm::vec2 size(ImGui::CalcTextSize(state.busy.c_str()).x, 0.3f * text);
+        ImDrawList& list = *ImGui::GetForegroundDrawList();
+        list.AddRectFilled(at(bar), at(bar + size), kShade);
+        list.AddRectFilled(at(bar), at(bar + glm::vec2(part * size.x, size.y)), kPicked);
     }
 }
 

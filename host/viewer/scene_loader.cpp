@@ -80,11 +80,13 @@ void SceneLoader::run(const std::stop_token& stop) {
 SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
     try {
         const bool isRead = last && sameFile(last->request, request);
+        stage_ = LoadStage::reading;
         const Stopwatch import;
         const std::shared_ptr<const Scene> whole =
             isRead ? last->whole : std::make_shared<const Scene>(loadScene(request.file, request.import));
         const double importSeconds = isRead ? last->importSeconds : import.seconds();
         const bool isBuilt = isRead && last->request.hiddenMeshes == request.hiddenMeshes;
+        stage_ = LoadStage::building;
         auto loaded = std::make_shared<LoadedScene>(
             LoadedScene{.request = request,
                         .whole = whole,
@@ -94,6 +96,7 @@ SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
                         .bounds = isRead ? last->bounds : boundsOf(*whole),
                         .hasLight = isRead ? last->hasLight : hasLight(*whole),
                         .importSeconds = importSeconds});
+        stage_ = LoadStage::lighting;
         loaded->shown.light(request.file.string(), request.path, request.light);
         for (const auto& warnings :
              {whole->warnings, render::warningsOf(*loaded->shown.structure), loaded->shown.lightWarnings}) {

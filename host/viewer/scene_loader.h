@@ -5,6 +5,7 @@
 #include "metamarch/render/prepared_scene.h"
 #include "metamarch/scene/import.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
@@ -38,6 +39,15 @@ struct LoadedScene {
     double importSeconds = 0.0; // duration of the last reading of the file
 };
 
+// What the loader does with a request, in this order. A stage whose result is there already takes no time.
+enum class LoadStage { reading, building, lighting };
+inline constexpr int kLoadStages = 3;
+constexpr const char* nameOf(const LoadStage stage) {
+    return stage == LoadStage::reading    ? "reading"
+           : stage == LoadStage::building ? "building the tree and the table of"
+                                          : "lighting";
+}
+
 class SceneLoader {
   public:
     SceneLoader();
@@ -49,6 +59,7 @@ class SceneLoader {
     // has not changed since the last scene: a change of light reads no scene file and builds no tree.
     void ask(SceneRequest request);
     bool isBusy() const;
+    LoadStage stage() const { return stage_; } // while it is busy
 
     // The answer to a request: a scene, or the reason why there is none. take() returns each answer once.
     struct Answer {
@@ -61,6 +72,7 @@ class SceneLoader {
     void run(const std::stop_token& stop);
     Answer answer(const SceneRequest& request);
 
+    std::atomic<LoadStage> stage_{LoadStage::reading};
     mutable std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<SceneRequest> waiting;

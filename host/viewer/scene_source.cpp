@@ -15,6 +15,10 @@ bool isMap(const std::filesystem::path& file) {
     return ending == ".hdr" || ending == ".exr";
 }
 
+std::string busyText(const ViewerState& state) {
+    return fmt::format("{} {} ...", nameOf(*state.loadStage), state.file.filename().string());
+}
+
 } // namespace
 
 SceneSource::SceneSource(const SceneRequest& first, const Settings& settings) : first_(first) {
@@ -36,7 +40,17 @@ void SceneSource::ask(ViewerState& state) {
     request.reading = reading_;
     watch(state.file);
     loader_.ask(std::move(request));
-    state.busy = fmt::format("reading {} ...", state.file.filename().string());
+    state.loadStage = LoadStage::reading;
+    state.busy = busyText(state);
+}
+
+void SceneSource::followLoading(ViewerState& state) const {
+    if (!loader_.isBusy()) {
+        state.loadStage.reset();
+    } else if (!state.busy.empty()) {
+        state.loadStage = loader_.stage();
+        state.busy = busyText(state);
+    }
 }
 
 void SceneSource::readAgain(ViewerState& state) {

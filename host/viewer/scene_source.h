@@ -27,6 +27,8 @@ class SceneSource {
     void takeDropped(const std::vector<std::filesystem::path>& files, ViewerState& state);
 
     bool isBusy() const { return loader_.isBusy(); }
+    // Says in the state what the loader does now, if the window waits for it.
+    void followLoading(ViewerState& state) const;
     bool hasFileChanged() { return fileWatch_.hasChanged(); } // see FileWatch
     bool isFileGone() const { return fileWatch_.areGone(); }
     std::optional<SceneLoader::Answer> take() { return loader_.take(); }

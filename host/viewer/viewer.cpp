@@ -128,6 +128,7 @@ class Viewer {
                 readOut();
                 drawReadOut(state);
             }
+            scenes.followLoading(state);
             const bool isAnnounced = announceKernel();
             drawBusy(state);
             if (!isWindowWanted) { // messages do not belong into the picture

@@ -120,6 +120,7 @@ struct ViewerState {
     float coveredLeft = 0.0f; // pixels of its width, from the left edge, that the panel covers
 
     std::shared_ptr<const LoadedScene> scene; // none until the first one is there
+    std::optional<LoadStage> loadStage;       // while it waits for a scene
     std::string busy;                         // says what the window waits for; empty: nothing
     std::deque<Message> messages;             // the newest is the last
     std::string shaderError;                  // of the last change of a shader; empty: none
