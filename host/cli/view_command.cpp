@@ -46,7 +46,7 @@ Command makeViewCommand() {
     declareLight(settings, options->light);
     declareImport(settings, options->import);
     declareStructure(settings, options->structure);
-    command.footer = "Keys are listed in the window.\n\nExample:\n  build/metamarch view scenes/objects.glb";
+    command.footer = "F1 lists the keys.\n\nExample:\n  build/metamarch view scenes/objects.glb";
     command.run = [options](const SettingList& given) {
         chooseTone(given, options->path.integrator, options->tone);
         runView(*options);

@@ -15,7 +15,8 @@ constexpr std::uint32_t kRaysPerGroup = 64; // local_size_x of the kernels
 // least 128 MiB.
 constexpr std::size_t kBatch = 1u << 21u;
 
-// Kernels that read texel buffers read a ray in texels of 16 bytes. Vulkan guarantees only 65,536 of them.
+// Kernels that read texel buffers read a ray in texels of 16 bytes. Vulkan guarantees only 65,536 of them;
+// devices that are read through storage buffers have more than a batch needs.
 std::size_t batchFor(const vulkan::DeviceReport& report) {
     constexpr std::size_t kTexelsOfRay = sizeof(RayQuery) / 16;
     return std::min(kBatch, report.maxTexelBufferElements / kTexelsOfRay);

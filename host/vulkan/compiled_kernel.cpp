@@ -40,7 +40,7 @@ CompiledKernel::CompiledKernel(const vk::raii::Device& device, const vk::raii::P
                                                 values.size() * sizeof(uint32_t), values.data());
     std::vector<uint32_t> spirv =
         withExactFloats(withoutDeadBranches(source.spirv, source.specialization), source.floatModes);
-    if (source.isWithoutElse) {
+    if (source.removesElse) {
         spirv = withoutElseBranches(spirv);
     }
     const vk::raii::ShaderModule module(device, {{}, spirv.size() * sizeof(uint32_t), spirv.data()});

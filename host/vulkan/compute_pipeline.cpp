@@ -60,13 +60,14 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
     for (const uint32_t binding : info.hierarchyBindings) {
         bindings.emplace(binding, vk::DescriptorType::eAccelerationStructureKHR);
     }
+    const DeviceReport& report = device.report();
     try {
         handles_->kernel = device.compile({{info.spirv.begin(), info.spirv.end()},
                                            bindings,
                                            pushConstantSize_,
                                            info.specialization,
-                                           device.report().floatModes,
-                                           device.report().doublesAtElse});
+                                           report.failsWithFloatModes ? FloatModes{} : report.floatModes,
+                                           report.compilesElseSlowly});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));

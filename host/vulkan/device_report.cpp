@@ -85,18 +85,17 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     report.driver = driver.driverName.data();
     report.driverInfo = driver.driverInfo.data();
     const bool isSwiftShader = driver.driverID == vk::DriverId::eGoogleSwiftshader;
-    report.doublesAtElse = isSwiftShader;
+    report.compilesElseSlowly = isSwiftShader;
+    // It keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
+    report.failsWithFloatModes = isSwiftShader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     report.maxMemoryAllocationSize =
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
     const auto& floats = chain.get<vk::PhysicalDeviceFloatControlsProperties>();
     // Where all widths must round alike, a mode for 32 bits alone is not allowed.
     const bool isChosenAlone = floats.roundingModeIndependence != vk::ShaderFloatControlsIndependence::eNone;
-    // SwiftShader keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
-    if (!isSwiftShader) {
-        report.floatModes = {isChosenAlone && floats.shaderRoundingModeRTEFloat32,
-                             static_cast<bool>(floats.shaderSignedZeroInfNanPreserveFloat32)};
-    }
+    report.floatModes = {isChosenAlone && floats.shaderRoundingModeRTEFloat32,
+                         static_cast<bool>(floats.shaderSignedZeroInfNanPreserveFloat32)};
 }
 
 bool lists(const std::vector<vk::ExtensionProperties>& extensions, const char* const wanted) {

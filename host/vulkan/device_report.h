@@ -45,8 +45,9 @@ struct DeviceReport {
     uint32_t maxPerStageDescriptorSampledImages = 0; // texel buffers count
     uint32_t maxPushConstantsSize = 0;               // bytes
     uint32_t subgroupSize = 0;                       // invocations
-    FloatModes floatModes;                           // which of them every kernel can have
-    bool doublesAtElse = false;                      // in time to compile, see withoutElseBranches
+    FloatModes floatModes;                           // which of them the device offers
+    bool failsWithFloatModes = false;                // kernels must do without them
+    bool compilesElseSlowly = false;                 // see withoutElseBranches
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.
     std::vector<std::string> missingForRayQuery; // extensions and features; empty: ray queries are available

@@ -27,7 +27,7 @@ class ElseBranches {
         : all_(spirvInstructions(spirv)), header_(spirv.first(kSpirvHeaderWords)),
           bound_(spirv[kSpirvBound]) {
         for (std::size_t i = 0; i < all_.size(); ++i) {
-            if (opcodeOf(all_[i]) == spv::OpLabel) {
+            if (is(i, spv::OpLabel, 2)) {
                 labels_.emplace(all_[i][1], i);
             }
         }
@@ -35,8 +35,7 @@ class ElseBranches {
 
     std::vector<uint32_t> split() {
         for (std::size_t i = 1; i < all_.size(); ++i) {
-            if (opcodeOf(all_[i]) == spv::OpBranchConditional &&
-                opcodeOf(all_[i - 1]) == spv::OpSelectionMerge) {
+            if (is(i, spv::OpBranchConditional, 4) && is(i - 1, spv::OpSelectionMerge, 3)) {
                 splitAt({i, at(all_[i][2]), at(all_[i][3]), at(all_[i - 1][1])});
             }
         }
@@ -56,6 +55,11 @@ class ElseBranches {
     }
 
   private:
+    // Returns true if the instruction has this opcode and no fewer words.
+    bool is(const std::size_t i, const spv::Op opcode, const std::size_t words) const {
+        return opcodeOf(all_[i]) == opcode && all_[i].size() >= words;
+    }
+
     std::size_t at(const uint32_t label) const {
         const auto found = labels_.find(label);
         return found == labels_.end() ? 0 : found->second;
@@ -66,7 +70,7 @@ class ElseBranches {
                                         const std::size_t end) const {
         std::vector<std::size_t> found;
         for (std::size_t i = begin; i < end; ++i) {
-            if (opcodeOf(all_[i]) == spv::OpBranch && all_[i][1] == label) {
+            if (is(i, spv::OpBranch, 2) && all_[i][1] == label) {
                 found.push_back(i);
             }
         }

@@ -42,7 +42,7 @@ struct PresentPush {
 struct MagnifyPush {
     uint width; // of screen and picture, in pixels
     uint scale;
-    uint skippedColumns; // of the screen, left of what it shows; less than width * scale - width
+    uint skippedColumns; // of the screen, left of what it shows; at most width * scale - width
     uint skippedRows;
 };
 

@@ -16,6 +16,10 @@ SHARED_FN uvec2 pixelInTile(const uint i) {
     return uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
 }
 
+#ifdef __cplusplus
+static_assert(kTileSide == 8, "the bits of pixelInTile and placeInTile");
+#endif
+
 // Returns the place of a pixel in its tile, the inverse of pixelInTile. x and y may be those in a picture.
 SHARED_FN uint placeInTile(const uint x, const uint y) {
     return (x & 3u) | ((y & 1u) << 2u) | ((x & 4u) << 1u) | ((y & 6u) << 3u);

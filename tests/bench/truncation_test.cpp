@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vulkan lets a device round floats to zero. Then too every traversal finds the hits of brute force, to the
-// bit. The twins read the shaders' own headers, and a processor rounds as it is told.
+// Vulkan lets a device round floats to zero. Every traversal then still finds the hits of brute force, to
+// the bit. The twins read the shaders' own headers, and a processor rounds as it is told.
 #include "fixtures/ray_sets.h"
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/bench/hit_check.h"

@@ -64,6 +64,7 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
     const BothSides sides(blended(), {28, 20});
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
+    int drawn = 0;
     for (const std::string_view traversal : traversals()) {
         const auto missing = render::missingFor(vulkan::testDevice().report(), traversal);
         if (!missing.empty()) {
@@ -74,8 +75,12 @@ TEST_F(PathGpuWork, anyTraversalDrawsTheSame) {
         const auto render =
             vulkan::ifTexelsSuffice([&] { return sides.onDevice(std::string(traversal), work); });
         if (render) {
+            ++drawn;
             expectSameFilm(render->film.pixels, expected);
         }
+    }
+    if (drawn == 0) {
+        GTEST_SKIP() << vulkan::testDevice().name() << " has too few texels for every traversal";
     }
 }
 
