@@ -106,8 +106,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
         zoom(state.camera, std::pow(kZoomPerClick, input.scroll), pointUnder(state, place));
     }
     if (input.scrollWithCtrl != 0.0f && !panels.WantCaptureMouse) {
-        const float clicks = std::max(std::abs(input.scrollWithCtrl), 1.0f); // a touchpad sends parts
-        state.zoom.zoom(static_cast<int>(std::copysign(clicks, input.scrollWithCtrl)), cursor, state.size);
+        state.zoom.scroll(input.scrollWithCtrl, cursor, state.size);
     }
     if (!panels.WantTextInput) {
         for (const KeyPress& press : input.keys) {
@@ -156,13 +155,9 @@ void Controls::drag(const glm::vec2 cursor, ViewerState& state) {
     }
     const glm::vec2 size(state.size);
     switch (dragging) {
-    case Drag::orbit: { // around the middle of what no panel covers
-        const float aside = state.freeMiddle();
-        pan(state.camera, aside, 0.0f);
+    case Drag::orbit:
         orbit(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
-        pan(state.camera, -aside, 0.0f);
         break;
-    }
     case Drag::look:
         look(state.camera, moved.x * kTurnPerPixel, moved.y * kTurnPerPixel);
         break;

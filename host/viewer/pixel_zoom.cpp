@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/pixel_zoom.h"
 
+#include <cmath>
+
 namespace metamarch::viewer {
 
 void PixelZoom::zoom(const int times, const glm::vec2 place, const glm::uvec2 size) {
@@ -13,6 +15,13 @@ void PixelZoom::zoom(const int times, const glm::vec2 place, const glm::uvec2 si
     }
     skipped_ = glm::uvec2(0);
     move(place - toWindow(fixed), size);
+}
+
+void PixelZoom::scroll(const float clicks, const glm::vec2 place, const glm::uvec2 size) {
+    clicks_ += clicks;
+    const float whole = std::trunc(clicks_);
+    clicks_ -= whole;
+    zoom(static_cast<int>(whole), place, size);
 }
 
 void PixelZoom::move(const glm::vec2 by, const glm::uvec2 size) {

@@ -26,6 +26,8 @@ class PixelZoom {
     // Doubles the scale `times` times, or halves it if that is negative. What lies at `place` of the window
     // stays there, as far as the picture reaches. `size` is that of the window.
     void zoom(int times, glm::vec2 place, glm::uvec2 size);
+    // Zooms once for each whole click of the wheel. A touchpad sends parts of clicks, which add up.
+    void scroll(float clicks, glm::vec2 place, glm::uvec2 size);
     // Moves the picture by so many pixels of the window.
     void move(glm::vec2 by, glm::uvec2 size);
     // The window has this size now.
@@ -35,6 +37,7 @@ class PixelZoom {
   private:
     std::uint32_t scale_ = 1;
     glm::uvec2 skipped_{0};
+    float clicks_ = 0.0f; // of the wheel, less than a whole one
 };
 
 } // namespace metamarch::viewer

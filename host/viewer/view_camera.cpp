@@ -194,8 +194,9 @@ std::string optionsText(const ViewCamera& camera, const Scene& scene) {
 }
 
 void orbit(ViewCamera& camera, const float right, const float down) {
-    letGo(camera);
+    pan(camera, camera.aside, 0.0f);
     camera.eye = camera.target + turnedAbout(camera.eye - camera.target, camera.up, -right, down);
+    pan(camera, -camera.aside, 0.0f);
 }
 
 void look(ViewCamera& camera, const float right, const float down) {

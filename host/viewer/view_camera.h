@@ -15,7 +15,8 @@ namespace metamarch::viewer {
 struct ViewCamera {
     std::optional<std::size_t> fileCamera; // index in Scene::cameras; none: a free camera
     glm::vec3 eye{0.0f, 0.0f, 1.0f};
-    glm::vec3 target{0.0f}; // orbit() turns around it
+    glm::vec3 target{0.0f};
+    float aside = 0.0f; // orbit() turns around a point so far right of the target; the unit is that of pan()
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     double verticalFov = 45.0;           // degrees, for a perspective camera
     std::optional<float> verticalExtent; // parallel rays: height of the picture in world units
@@ -52,7 +53,7 @@ std::string optionsText(const ViewCamera& camera, const Scene& scene);
 
 // Each of the following makes the camera a free one. Angles are in radians.
 
-// Turns the eye around the target, but never past the poles of `up`.
+// Turns eye and target around the point `aside` of the target, but never past the poles of `up`.
 void orbit(ViewCamera& camera, float right, float down);
 // Turns the target around the eye, but never past the poles of `up`.
 void look(ViewCamera& camera, float right, float down);

@@ -49,8 +49,12 @@ float freeAspect(const ViewerState& state) {
     return (static_cast<float>(state.size.x) - state.coveredLeft) / static_cast<float>(state.size.y);
 }
 
+// Moves a camera that looks at the middle of a model so that the model is in the middle of what no panel
+// covers.
 ViewCamera besidePanel(ViewCamera camera, const ViewerState& state) {
-    pan(camera, -state.freeMiddle(), 0.0f);
+    // A panorama sees all around, so nothing lies beside the panel.
+    camera.aside = camera.isPanorama ? 0.0f : 0.5f * state.coveredLeft / static_cast<float>(state.size.y);
+    pan(camera, -camera.aside, 0.0f);
     return camera;
 }
 
@@ -66,11 +70,6 @@ ViewCamera ViewerState::framed(const Bounds& bounds, const ViewCamera& from) con
 
 ViewCamera ViewerState::alongAxis(const Bounds& bounds, const glm::vec3& towards) const {
     return besidePanel(axisView(bounds, freeAspect(*this), towards, camera), *this);
-}
-
-float ViewerState::freeMiddle() const {
-    // A panorama sees all around, so nothing lies beside the panel.
-    return camera.isPanorama ? 0.0f : 0.5f * coveredLeft / static_cast<float>(size.y);
 }
 
 Camera ViewerState::traced() const {

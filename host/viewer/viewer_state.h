@@ -153,9 +153,6 @@ struct ViewerState {
     ViewCamera framed(const Bounds& bounds, double verticalFov) const;
     ViewCamera framed(const Bounds& bounds, const ViewCamera& from) const;
     ViewCamera alongAxis(const Bounds& bounds, const glm::vec3& towards) const;
-    // Returns how far the middle of what no panel covers lies right of the window's middle. The unit is the
-    // window's height.
-    float freeMiddle() const;
     // Returns the traversals of the viewports, from left to right.
     std::vector<std::string> traversals() const;
     // Returns the index of the only step that is drawn; none if there is none, or if all are.

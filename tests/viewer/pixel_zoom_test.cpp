@@ -25,6 +25,18 @@ TEST(PixelZoom, keepsWhatLiesUnderTheCursor) {
     EXPECT_EQ(zoom.skipped(), glm::uvec2(0));
 }
 
+TEST(PixelZoom, addsUpThePartsOfClicks) {
+    PixelZoom zoom;
+    for (const std::uint32_t scale : {1u, 1u, 1u, 2u, 2u, 2u, 2u, 4u}) {
+        zoom.scroll(0.25f, {0.0f, 0.0f}, kSize);
+        EXPECT_EQ(zoom.scale(), scale);
+    }
+    zoom.scroll(-0.75f, {0.0f, 0.0f}, kSize);
+    EXPECT_EQ(zoom.scale(), 4u);
+    zoom.scroll(-1.25f, {0.0f, 0.0f}, kSize);
+    EXPECT_EQ(zoom.scale(), 1u);
+}
+
 TEST(PixelZoom, staysWithinThePicture) {
     PixelZoom zoom;
     zoom.zoom(2, {0.0f, 0.0f}, kSize);

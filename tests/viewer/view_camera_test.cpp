@@ -180,6 +180,20 @@ TEST(ViewCameraOptions, ofAPanoramaHaveNeitherLensNorFieldOfView) {
     EXPECT_EQ(lensOf(camera).apertureRadius, 0.0f);
 }
 
+// A model beside the panel stays there.
+TEST(ViewCameraOrbit, turnsAroundAPointBesideTheTarget) {
+    ViewCamera camera; // looks along -z at the origin
+    camera.verticalFov = 90.0;
+    camera.aside = 0.25f; // of a height of 2
+    orbit(camera, static_cast<float>(std::numbers::pi), 0.0f);
+    const auto expectNear = [](const glm::vec3& a, const glm::vec3& b) {
+        EXPECT_LT(glm::distance(a, b), 1e-5f) << a.x << ' ' << a.y << ' ' << a.z;
+    };
+    expectNear(camera.target, {1.0f, 0.0f, 0.0f});
+    expectNear(camera.eye, {1.0f, 0.0f, -1.0f});
+    EXPECT_EQ(camera.aside, 0.25f);
+}
+
 TEST(ViewCameraOrbit, keepsTheDistanceAndCrossesNoPole) {
     Dice dice;
     for (int i = 0; i < 20; ++i) {
