@@ -91,16 +91,12 @@ void drawPick(Painter& painter, const Pick& picked) {
     painter.dot(picked.position, kPicked, 3.0f);
 }
 
-ImU32 colorOf(const MarchStep& step) {
-    return marchColor(step.triangleCount > 0 ? MarchPart::fullLeaf : MarchPart::emptyLeaf);
-}
-
 // Draws one step among all: the cell that was looked up, its leaf's exit box, and the point where the step
 // begins.
 void drawStep(Painter& painter, const Lattice& lattice, const FrozenMarch& march, const MarchStep& step) {
-    painter.box(worldBox(lattice, step.exitBox), colorOf(step), 1.0f);
-    painter.box(worldBox(lattice, {step.cell, step.cell + 1}), colorOf(step), 1.5f);
-    painter.dot(march.origin + march.dir * step.tNear, colorOf(step), 3.0f);
+    painter.box(worldBox(lattice, step.exitBox), boxColor(step), 1.0f);
+    painter.box(worldBox(lattice, {step.cell, step.cell + 1}), boxColor(step), 1.5f);
+    painter.dot(march.origin + march.dir * step.tNear, boxColor(step), 3.0f);
 }
 
 // Fills the parts of the faces that no surface hides.
@@ -150,8 +146,8 @@ void drawChosenStep(Painter& painter, const Camera& camera, ViewerState& state, 
     const MarchStep& step = march.log.steps[index];
     const Bounds box = worldBox(lattice, step.exitBox);
     followBox(state, camera, box);
-    fillBox(state.shownBox.solid.parts, state.zoom, colorOf(step));
-    drawEdges(state.shownBox.solid.edges, state.zoom, colorOf(step));
+    fillBox(state.shownBox.solid.parts, state.zoom, boxColor(step));
+    drawEdges(state.shownBox.solid.edges, state.zoom, boxColor(step));
     painter.box(worldBox(lattice, {step.cell, step.cell + 1}), marchColor(MarchPart::cell), 2.5f);
     painter.dot(march.origin + march.dir * step.tNear, marchColor(MarchPart::cell), 4.0f);
     if (step.isFinal) {
@@ -290,6 +286,10 @@ void drawSplit(const ViewerState& state, const float covered) {
 const char* nameOf(const MarchPart part) { return kMarchColors[static_cast<std::size_t>(part)].name; }
 
 std::uint32_t marchColor(const MarchPart part) { return kMarchColors[static_cast<std::size_t>(part)].color; }
+
+std::uint32_t boxColor(const MarchStep& step) {
+    return marchColor(step.triangleCount > 0 ? MarchPart::fullLeaf : MarchPart::emptyLeaf);
+}
 
 void drawMessages(const ViewerState& state) {
     // The tests of the viewer compare pictures without messages.

@@ -17,7 +17,8 @@ inline constexpr std::uint32_t kPicked = 0xff3cd2ff;
 enum class MarchPart { ray, cell, emptyLeaf, fullLeaf, exit, hit };
 inline constexpr int kMarchParts = 6;
 const char* nameOf(MarchPart part);
-std::uint32_t marchColor(MarchPart part); // as Dear ImGui's ImU32
+std::uint32_t marchColor(MarchPart part);      // as Dear ImGui's ImU32
+std::uint32_t boxColor(const MarchStep& step); // of the exit box of the step's leaf
 
 // Call it within a frame of Dear ImGui, and only with a scene.
 void drawOverlay(ViewerState& state);

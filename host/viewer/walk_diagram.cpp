@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/viewer/walk_diagram.h"
 
+#include "metamarch/viewer/diagram.h"
 #include "metamarch/viewer/march_story.h"
-#include "metamarch/viewer/overlay.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <imgui.h>
 #include <string>
 
 namespace metamarch::viewer {
@@ -17,41 +16,30 @@ constexpr ImU32 kToCome = IM_COL32(120, 125, 135, 110);
 constexpr ImU32 kVisited = IM_COL32(190, 200, 215, 220);
 
 // Measures in heights of the text.
-constexpr float kHeight = 19.0f;
 constexpr float kStackWidth = 6.0f;
 constexpr int kShownOnStack = 8;
 
-class Diagram {
+class WalkDrawing : Diagram {
   public:
-    Diagram(const ViewerState& state, const std::size_t usedStep)
-        : march(state.march->log), walk(state.march->walk), step(usedStep), text(ImGui::GetFontSize()),
-          corner(static_cast<float>(state.size.x) - (kWalkWidth + 1.0f) * text, text),
-          visits(visitsUpTo(walk, march, step)), list(*ImGui::GetBackgroundDrawList()) {}
+    WalkDrawing(const ViewerState& state, const std::size_t usedStep)
+        : Diagram(state, 1.0f, kWalkDiagramHeight), march(state.march->log), walk(state.march->walk),
+          step(usedStep), visits(visitsUpTo(walk, march, step)) {}
 
     void draw() const {
-        list.AddRectFilled(at({0.0f, 0.0f}), at({kWalkWidth, kHeight}), kStoryShade, 4.0f);
         write({0.6f, 0.4f}, kInk, "The same ray in the kd-tree, with a stack");
         drawTree();
         drawStack();
         if (visits > 0) {
-            const std::string told = sentenceOf(walk, visits - 1);
-            const ImVec2 place = at({0.6f, kHeight - 5.6f});
-            list.AddText(ImGui::GetFont(), text, place, kVisited, told.c_str(), nullptr,
-                         (kWalkWidth - 1.2f) * text);
+            writeWrapped({0.6f, kWalkDiagramHeight - 5.6f}, kVisited, sentenceOf(walk, visits - 1));
         }
         drawCounters();
     }
 
   private:
-    ImVec2 at(const glm::vec2 place) const { return {corner.x + place.x * text, corner.y + place.y * text}; }
-    void write(const glm::vec2 place, const ImU32 color, const std::string& words) const {
-        list.AddText(at(place), color, words.c_str());
-    }
-
     // Visits go from left to right, depth goes down.
     ImVec2 placeOf(const std::size_t visit, const float deepest) const {
         const glm::vec2 from(1.0f, 2.2f);
-        const glm::vec2 to(kWalkWidth - kStackWidth - 1.5f, kHeight - 6.4f);
+        const glm::vec2 to(kDiagramWidth - kStackWidth - 1.5f, kWalkDiagramHeight - 6.4f);
         const float last = std::max(static_cast<float>(walk.visits.size()) - 1.0f, 1.0f);
         const glm::vec2 part(static_cast<float>(visit) / last,
                              static_cast<float>(walk.visits[visit].depth) / deepest);
@@ -64,8 +52,8 @@ class Diagram {
             deepest = std::max(deepest, static_cast<float>(visit.depth));
         }
         for (std::size_t i = 1; i < walk.visits.size(); ++i) {
-            list.AddLine(placeOf(walk.visits[i].parent, deepest), placeOf(i, deepest),
-                         i < visits ? kVisited : kToCome);
+            list().AddLine(placeOf(walk.visits[i].parent, deepest), placeOf(i, deepest),
+                           i < visits ? kVisited : kToCome);
         }
         for (std::size_t i = 0; i < walk.visits.size(); ++i) {
             const WalkVisit& visit = walk.visits[i];
@@ -73,15 +61,15 @@ class Diagram {
                                 : !visit.isLeaf       ? kVisited
                                 : visit.triangleCount ? marchColor(MarchPart::fullLeaf)
                                                       : marchColor(MarchPart::emptyLeaf);
-            list.AddCircleFilled(placeOf(i, deepest), visit.isLeaf ? 3.5f : 2.0f, color);
+            list().AddCircleFilled(placeOf(i, deepest), visit.isLeaf ? 3.5f : 2.0f, color);
         }
         if (visits > 0) {
-            list.AddCircle(placeOf(visits - 1, deepest), 6.0f, kInk, 0, 2.0f);
+            list().AddCircle(placeOf(visits - 1, deepest), 6.0f, kInk, 0, 2.0f);
         }
     }
 
     void drawStack() const {
-        const float left = kWalkWidth - kStackWidth;
+        const float left = kDiagramWidth - kStackWidth;
         write({left, 1.9f}, kPicked, "stack");
         if (visits == 0) {
             return;
@@ -89,10 +77,10 @@ class Diagram {
         const std::vector<std::uint32_t>& stack = walk.visits[visits - 1].stack;
         const auto size = static_cast<int>(stack.size());
         const int first = std::max(size - kShownOnStack, 0);
-        const float bottom = kHeight - 6.6f;
+        const float bottom = kWalkDiagramHeight - 6.6f;
         for (int i = first; i < size; ++i) {
             const float y = bottom - 1.2f * static_cast<float>(i - first);
-            list.AddRect(at({left, y - 1.1f}), at({kWalkWidth - 0.6f, y}), kPicked);
+            list().AddRect(at({left, y - 1.1f}), at({kDiagramWidth - 0.6f, y}), kPicked);
             write({left + 0.3f, y - 1.1f}, kPicked, fmt::format("{}", stack[static_cast<std::size_t>(i)]));
         }
         if (first > 0) {
@@ -106,28 +94,25 @@ class Diagram {
             tests += march.steps[i].tests;
         }
         const std::uint32_t walked = visits > 0 ? walk.visits[visits - 1].tests : 0;
-        write({0.6f, kHeight - 3.0f}, kPicked,
+        write({0.6f, kWalkDiagramHeight - 3.0f}, kPicked,
               fmt::format("stack: {:>4} nodes of {}, {} tests", visits, walk.visits.size(), walked));
-        write({0.6f, kHeight - 1.6f}, marchColor(MarchPart::cell),
+        write({0.6f, kWalkDiagramHeight - 1.6f}, marchColor(MarchPart::cell),
               fmt::format("table: {:>4} look-ups of {}, {} tests", step + 1, march.steps.size(), tests));
     }
 
     const MarchLog& march;
     const WalkLog& walk;
     std::size_t step;
-    float text;
-    glm::vec2 corner; // pixels
     std::size_t visits;
-    ImDrawList& list;
 };
 
 } // namespace
 
 void drawWalkDiagram(const ViewerState& state) {
     const auto step = state.shownStep();
-    if (step && static_cast<float>(state.size.x) > 2.0f * kWalkWidth * ImGui::GetFontSize() &&
+    if (step && static_cast<float>(state.size.x) > 2.0f * kDiagramWidth * ImGui::GetFontSize() &&
         !state.march->walk.visits.empty()) {
-        Diagram(state, *step).draw();
+        WalkDrawing(state, *step).draw();
     }
 }
 

@@ -5,9 +5,6 @@
 
 namespace metamarch::viewer {
 
-// The drawing's width, in heights of the text.
-inline constexpr float kWalkWidth = 30.0f;
-
 // Call it within a frame of Dear ImGui, with a scene. Draws nothing unless a step of a march is chosen, or
 // where the window is too narrow.
 void drawWalkDiagram(const ViewerState& state);
