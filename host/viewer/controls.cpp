@@ -100,6 +100,7 @@ void Controls::apply(const Input& input, const Window& window, const double seco
     }
     const glm::vec2 cursor = window.cursor();
     state.cursor = cursor;
+    state.isCursorOnPanel = panels.WantCaptureMouse;
     drag(cursor, state);
     const glm::vec2 place = state.zoom.toPicture(cursor);
     if (input.scroll != 0.0f && !panels.WantCaptureMouse) {

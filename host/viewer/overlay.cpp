@@ -327,11 +327,12 @@ void drawOverlay(ViewerState& state) {
 }
 
 void drawZoom(const ViewerState& state) {
-    if (!state.zoom.isOn()) {
+    const std::optional<glm::uvec2> under = state.pixelUnderCursor();
+    if (!state.zoom.isOn() || !under) {
         return;
     }
     const float text = ImGui::GetFontSize();
-    const glm::vec2 pixel = glm::floor(state.zoom.toPicture(state.cursor));
+    const glm::vec2 pixel(*under);
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     list.AddRect(at(state.zoom.toWindow(pixel) - 1.0f), at(state.zoom.toWindow(pixel + 1.0f) + 1.0f), kInk);
     drawLabel({0.5f * static_cast<float>(state.size.x), text},

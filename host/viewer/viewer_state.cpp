@@ -72,6 +72,12 @@ ViewCamera ViewerState::alongAxis(const Bounds& bounds, const glm::vec3& towards
     return besidePanel(axisView(bounds, freeAspect(*this), towards, camera), *this);
 }
 
+std::optional<glm::uvec2> ViewerState::pixelUnderCursor() const {
+    const bool isInside = glm::all(glm::greaterThanEqual(cursor, glm::vec2(0.0f))) &&
+                          glm::all(glm::lessThan(cursor, glm::vec2(size)));
+    return isInside && !isCursorOnPanel ? std::optional(glm::uvec2(zoom.toPicture(cursor))) : std::nullopt;
+}
+
 Camera ViewerState::traced() const {
     return makeCamera(sceneCameraOf(camera, *scene->whole), size.x, size.y, lensOf(camera));
 }

@@ -135,8 +135,9 @@ struct ViewerState {
     std::optional<std::size_t> tourScreen; // index in tour(); none: there is no tour
     PixelZoom zoom;                        // into the picture's pixels
     glm::vec2 cursor{0.0f};                // pixels of the window, from its upper left corner
-    std::vector<std::string> readOut;      // of the pixel there
-    std::string_view filterRefusal;        // why the device does not filter the picture; empty: it does
+    bool isCursorOnPanel = false;
+    std::vector<std::string> readOut; // of the pixel there
+    std::string_view filterRefusal;   // why the device does not filter the picture; empty: it does
     Statistics statistics;
     ViewHistory history;
     KeptViews kept;
@@ -153,6 +154,8 @@ struct ViewerState {
     ViewCamera framed(const Bounds& bounds, double verticalFov) const;
     ViewCamera framed(const Bounds& bounds, const ViewCamera& from) const;
     ViewCamera alongAxis(const Bounds& bounds, const glm::vec3& towards) const;
+    // Returns the pixel of the picture that the user points at.
+    std::optional<glm::uvec2> pixelUnderCursor() const;
     // Returns the traversals of the viewports, from left to right.
     std::vector<std::string> traversals() const;
     // Returns the index of the only step that is drawn; none if there is none, or if all are.
