@@ -144,13 +144,25 @@ void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const fl
         return;
     }
     std::uint32_t first = 0;
-    for (const auto& viewport : viewports) {
-        const bool isLast = viewport == viewports.back();
-        const std::uint32_t end =
-            isLast ? screen.size.x : static_cast<std::uint32_t>(line * static_cast<float>(screen.size.x));
-        viewport->record(commands, screen, first, end);
+    for (std::size_t i = 0; i < viewports.size(); ++i) {
+        const std::uint32_t end = endOf(i, line, screen.size.x);
+        viewports[i]->record(commands, screen, first, end);
         first = end;
     }
+}
+
+std::uint32_t SplitView::endOf(const std::size_t viewport, const float line,
+                               const std::uint32_t width) const {
+    const bool isLast = viewport + 1 == viewports.size();
+    return isLast ? width : static_cast<std::uint32_t>(line * static_cast<float>(width));
+}
+
+const ProgressiveImage& SplitView::under(const std::uint32_t column, const float line) const {
+    std::size_t viewport = 0;
+    while (column >= endOf(viewport, line, size.x)) {
+        ++viewport;
+    }
+    return viewports[viewport]->fineImage();
 }
 
 void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {

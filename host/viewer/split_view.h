@@ -56,12 +56,17 @@ class SplitView {
 
     // The picture of the left viewport, for files. There must be a viewport.
     const ProgressiveImage& progressive() const { return viewports.front()->fineImage(); }
+    // The picture of the viewport that shows this column of the screen; `line` as for paint(). There must be
+    // a viewport.
+    const ProgressiveImage& under(std::uint32_t column, float line) const;
     const RenderRequest& shown() const { return request; }
     const std::string& leftTraversal() const { return viewports.front()->traversal(); }
 
   private:
     bool isWhole() const;
     void paintBefore(vulkan::Commands& commands, const Screen& screen);
+    // Returns the column after the last of this viewport.
+    std::uint32_t endOf(std::size_t viewport, float line, std::uint32_t width) const;
     double share(double seconds) const { return seconds / static_cast<double>(viewports.size()); }
 
     const vulkan::Device& device;

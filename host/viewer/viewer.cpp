@@ -380,7 +380,7 @@ class Viewer {
         state.settings.heatMax = fittingHeat(splitView.progressive().shownPixels(), settings.heatMax);
     }
 
-    // Brings the lines about the pixel under the cursor up to date, with the film of the left side.
+    // Brings the lines about the pixel under the cursor up to date, with the film of its side.
     void readOut() {
         state.readOut.clear();
         const glm::vec2 size(state.size);
@@ -392,7 +392,7 @@ class Viewer {
         const glm::uvec2 pixel(state.zoom.toPicture(state.cursor));
         state.readOut = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
         if (!splitView.isEmpty() && !state.settings.view && !isKeptShown()) {
-            const ProgressiveImage& film = splitView.progressive();
+            const ProgressiveImage& film = splitView.under(pixel.x, state.settings.splitAt);
             const glm::uvec2 place(pixelUnder(pixel.x, film.size().x, state.size.x),
                                    pixelUnder(pixel.y, film.size().y, state.size.y));
             std::ranges::move(channelLines(film.filmPixel(place)), std::back_inserter(state.readOut));

@@ -62,6 +62,32 @@ class ReadoutTest(ViewerTest):
         viewer.wait_for_picture(plain)
         self.quit(viewer)
 
+    def test_reads_the_side_under_the_cursor(self):
+        """The picture is the same on both sides, but the numbers of steps differ."""
+        def open_at(x, *words):
+            viewer = self.open(CORNELL, "--spp", "1", "--vfov", "10", *words, size="800x400")  # all of it hits
+            viewer.display.move(viewer.window, x, 30)
+            viewer.key("i")
+            return viewer
+
+        def side(picture, x):
+            width, height, pixels = picture
+            first, end = (0, width // 2 - 3) if x < width // 2 else (width // 2 + 3, width)
+            rows = range(height - 30)  # above the names of the sides
+            return [pixels[3 * (y * width + first):3 * (y * width + end)] for y in rows]
+
+        for x, names in ((100, ("meta_table", "kd_stack")), (500, ("kd_stack", "meta_table"))):
+            with self.subTest(x=x):
+                pictures = []
+                for name in names:
+                    viewer = open_at(x, "--traversal", name)
+                    pictures.append(side(viewer.wait_for_still(), x))
+                    self.quit(viewer)
+                self.assertTrue(pictures[0] != pictures[1])
+                viewer = open_at(x, "--traversal", "meta_table", "--split", "kd_stack")
+                viewer.wait_until("the numbers of the side", lambda: side(viewer.screenshot(), x) == pictures[0])
+                self.quit(viewer)
+
 
 if __name__ == "__main__":
     main()
