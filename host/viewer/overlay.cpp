@@ -367,7 +367,7 @@ void drawReadOut(const ViewerState& state) {
 void drawBusy(const ViewerState& state) {
     if (!state.busy.empty() && !state.playback.isPlaying) {
         const float text = ImGui::GetFontSize();
-        const glm::vec2 corner(12.0f, static_cast<float>(state.size.y) - 2.0f * text);
+        const glm::vec2 corner(state.coveredLeft + 12.0f, static_cast<float>(state.size.y) - 2.0f * text);
         drawLabel(corner, state.busy);
         if (!state.loadStage) {
             return;

@@ -56,6 +56,11 @@ bool SceneLoader::isBusy() const {
     return waiting || isWorking || ready;
 }
 
+bool SceneLoader::hasRefused() const {
+    const std::lock_guard lock(mutex);
+    return ready && !ready->scene;
+}
+
 std::optional<SceneLoader::Answer> SceneLoader::take() {
     const std::lock_guard lock(mutex);
     return std::exchange(ready, std::nullopt);
@@ -103,6 +108,7 @@ SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
             loaded->warnings.insert(loaded->warnings.end(), warnings.begin(), warnings.end());
         }
         last = loaded;
+        stage_ = LoadStage::uploading;
         return {loaded, std::nullopt};
     } catch (const Error& error) {
         return {nullptr, error};

@@ -39,13 +39,15 @@ struct LoadedScene {
     double importSeconds = 0.0; // duration of the last reading of the file
 };
 
-// What the loader does with a request, in this order. A stage whose result is there already takes no time.
-enum class LoadStage { reading, building, lighting };
-inline constexpr int kLoadStages = 3;
+// What is done with a request, in this order. A stage whose result is there already takes no time. The last
+// one is for who takes the scene.
+enum class LoadStage { reading, building, lighting, uploading };
+inline constexpr int kLoadStages = 4;
 constexpr const char* nameOf(const LoadStage stage) {
     return stage == LoadStage::reading    ? "reading"
-           : stage == LoadStage::building ? "building the tree and the table of"
-                                          : "lighting";
+           : stage == LoadStage::building ? "building"
+           : stage == LoadStage::lighting ? "lighting"
+                                          : "uploading";
 }
 
 class SceneLoader {
@@ -60,6 +62,8 @@ class SceneLoader {
     void ask(SceneRequest request);
     bool isBusy() const;
     LoadStage stage() const { return stage_; } // while it is busy
+    // Returns true if take() has a reason why there is no scene.
+    bool hasRefused() const;
 
     // The answer to a request: a scene, or the reason why there is none. take() returns each answer once.
     struct Answer {

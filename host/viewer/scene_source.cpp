@@ -16,7 +16,9 @@ bool isMap(const std::filesystem::path& file) {
 }
 
 std::string busyText(const ViewerState& state) {
-    return fmt::format("{} {} ...", nameOf(*state.loadStage), state.file.filename().string());
+    const bool isBuilt = *state.loadStage == LoadStage::building;
+    return fmt::format("{} {}{} ...", nameOf(*state.loadStage), isBuilt ? "the tree and the table of " : "",
+                       state.file.filename().string());
 }
 
 } // namespace
@@ -47,10 +49,15 @@ void SceneSource::ask(ViewerState& state) {
 void SceneSource::followLoading(ViewerState& state) const {
     if (!loader_.isBusy()) {
         state.loadStage.reset();
-    } else if (!state.busy.empty()) {
+    } else {
         state.loadStage = loader_.stage();
         state.busy = busyText(state);
     }
+}
+
+std::optional<SceneLoader::Answer> SceneSource::take(const ViewerState& state) {
+    const bool isSaid = state.loadStage == LoadStage::uploading || state.playback.isPlaying;
+    return isSaid || loader_.hasRefused() ? loader_.take() : std::nullopt;
 }
 
 void SceneSource::readAgain(ViewerState& state) {

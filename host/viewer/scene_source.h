@@ -27,11 +27,13 @@ class SceneSource {
     void takeDropped(const std::vector<std::filesystem::path>& files, ViewerState& state);
 
     bool isBusy() const { return loader_.isBusy(); }
-    // Says in the state what the loader does now, if the window waits for it.
+    // Says in the state what is done with the scene that the window waits for. Call it before each frame.
     void followLoading(ViewerState& state) const;
     bool hasFileChanged() { return fileWatch_.hasChanged(); } // see FileWatch
     bool isFileGone() const { return fileWatch_.areGone(); }
-    std::optional<SceneLoader::Answer> take() { return loader_.take(); }
+    // Returns each answer once. A scene is given only after a frame has said that it is uploaded, for which
+    // the window stands still. While an animation plays, no frame says so.
+    std::optional<SceneLoader::Answer> take(const ViewerState& state);
 
     // Shows the refusal, and resets file and settings to those of the scene that is shown, or of the command
     // line if there is none.

@@ -95,6 +95,7 @@ class Viewer {
             quietFrames = asleep.seconds() < nap ? 0 : quietFrames + 1;
             const double seconds = std::exchange(frame, Stopwatch()).seconds();
             takeScene();
+            scenes.followLoading(state);
             scenes.takeDropped(input.dropped, state);
             reloadWhatChanged();
             if (!presenter.beginFrame()) {
@@ -128,8 +129,7 @@ class Viewer {
                 readOut();
                 drawReadOut(state);
             }
-            scenes.followLoading(state);
-            const bool isAnnounced = announceKernel();
+            const bool isAnnounced = announceKernel() || state.loadStage == LoadStage::uploading;
             drawBusy(state);
             if (!isWindowWanted) { // messages do not belong into the picture
                 drawMessages(state);
@@ -171,7 +171,7 @@ class Viewer {
         if (!hasDrawnPanels) { // the scene is seen beside them
             return;
         }
-        std::optional<SceneLoader::Answer> answer = scenes.take();
+        std::optional<SceneLoader::Answer> answer = scenes.take(state);
         if (!answer) {
             return;
         }
@@ -611,6 +611,14 @@ class Viewer {
         return request;
     }
 
+    // What the window waits for, in a word.
+    std::string waitingText() const {
+        return state.playback.isPlaying ? ""
+               : isKernelSaid           ? " - preparing"
+               : state.loadStage        ? fmt::format(" - {}", nameOf(*state.loadStage))
+                                        : "";
+    }
+
     std::string titleText() const {
         if (state.file.empty()) {
             return "metamarch";
@@ -628,9 +636,7 @@ class Viewer {
         const std::string how =
             state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;
         return fmt::format("{} - {} - {}{} - metamarch", state.file.filename().string(), seen, how,
-                           state.busy.empty() ? ""
-                           : isKernelSaid     ? " - preparing"
-                                              : " - busy");
+                           waitingText());
     }
 
     const ViewerOptions& options;

@@ -1,19 +1,67 @@
 # SPDX-License-Identifier: MIT
 """Scenes that take long to read, that go, and that are several in a file."""
+import os
 import re
+import subprocess
 
 from arguments_test import triangle
 from panel import BAR, MIDDLE, TEXT, PanelTest
-from viewer import READY, Viewer, main
+from viewer import READY, STAGES, Viewer, main
+
+PANEL = 27 * 13 + 7  # the column of its right edge
+DONE = bytes((0xff, 0xd2, 0x3c))  # the colour of the bar
 
 
 class LoadingTest(PanelTest):
-    def test_closes_while_it_loads(self):
-        scene = self.tmp / "large.obj"
-        scene.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 4000000)
-        viewer = Viewer(self, [scene, "--size", "160x120"])
+    def load_without_end(self, *words):
+        """Opens a window on standard input, to which nobody writes."""
+        reading, writing = os.pipe()
+        self.addCleanup(os.close, writing)
+        with open(reading) as stdin:
+            viewer = Viewer(self, ["-", *words], stdin=stdin)
         self.addCleanup(viewer.end)
-        viewer.wait_for_title(".* - busy - metamarch")
+        viewer.wait_for_title(".* - reading - metamarch")
+        return viewer
+
+    def test_closes_while_it_loads(self):
+        """A window that waits for what reads the scene would never close."""
+        self.quit(self.load_without_end("--size", "160x120"))
+
+    def test_the_bar_lies_beside_the_panel(self):
+        for words, expected in ((("--no-panels", ), 12), ((), PANEL + 12)):
+            with self.subTest(words=words):
+                viewer = self.load_without_end("--size", "800x400", *words)
+
+                def places():
+                    """The columns of the part that is done, in the rows that have it."""
+                    width, height, pixels = viewer.screenshot()
+                    rows = (pixels[3 * width * y:3 * width * (y + 1)] for y in range(height))
+                    return {tuple(x for x in range(width) if row[3 * x:3 * x + 3] == DONE) for row in rows} - {()}
+
+                done, = viewer.wait_until("a bar", places)
+                self.assertEqual(done[0], expected)
+                self.assertEqual(list(done), list(range(expected, expected + len(done))))
+                self.quit(viewer)
+
+    def test_stages(self):
+        """A title lasts for a frame at least, which is longer than a look at it."""
+        scene = self.tmp / "grid.obj"
+        side = 300
+        points = (f"v {x} {y} {x * y % 7}" for y in range(side) for x in range(side))
+        faces = (f"f {i} {i + 1} {i + side}\nf {i + 1} {i + side} {i + side + 1}"
+                 for i in range(1, side * (side - 1)) if i % side != 0)
+        scene.write_text("\n".join((*points, *faces)))
+        subprocess.run(["oiiotool", "--pattern", "constant:color=1,2,0.5", "4096x2048", "3", "-o", "map.exr"], cwd=self.tmp,
+                       check=True, capture_output=True)
+        viewer = Viewer(self, [scene, "--size", "160x120", "--spp", "1", "--env", "map.exr"])
+        self.addCleanup(viewer.end)
+        stages = []
+        while not re.fullmatch(READY, title := viewer.title):
+            viewer.check_alive()
+            stage = title.split(" - ")[-2] if title.count(" - ") > 1 else ""
+            if stage in STAGES and stages[-1:] != [stage]:
+                stages.append(stage)
+        self.assertEqual(tuple(stages), STAGES)
         self.quit(viewer)
 
     def test_a_file_that_goes(self):

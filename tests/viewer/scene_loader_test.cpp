@@ -148,6 +148,23 @@ TEST(SceneLoader, saysWhyThereIsNoScene) {
     EXPECT_EQ(load(loader, good)->whole, first->whole);
 }
 
+TEST(SceneLoader, leavesTheLastStageToTheTaker) {
+    const TemporaryFolder folder;
+    const auto good = requestOf(makeScene(folder, "one.obj", 1));
+    for (const bool isRefused : {false, true, false}) {
+        SceneLoader loader;
+        EXPECT_FALSE(loader.hasRefused());
+        loader.ask(isRefused ? requestOf(folder / "missing.obj") : good);
+        while (loader.stage() != LoadStage::uploading && !loader.hasRefused()) {
+            std::this_thread::sleep_for(1ms);
+        }
+        EXPECT_TRUE(loader.isBusy());
+        EXPECT_EQ(loader.hasRefused(), isRefused);
+        EXPECT_EQ(answers(loader).size(), 1u);
+        EXPECT_FALSE(loader.hasRefused());
+    }
+}
+
 TEST(SceneLoader, endsWithItsWorkUnderWay) {
     const TemporaryFolder folder;
     const auto file = makeScene(folder, "many.obj", 2000);

@@ -24,7 +24,8 @@ DEGENERATE = SCENES / "degenerate.glb"
 OBJECTS = SCENES / "objects.glb"
 TOO_LATE = 120  # seconds
 FOLDED_BELOW, UNFOLD = 702, (18, 17)  # the panel begins folded in narrower windows; the arrow of its title
-READY = r".* - (?!busy)[\w |]+ - metamarch"  # the title while no scene is being loaded
+STAGES = ("reading", "building", "lighting", "uploading")  # of loading
+READY = rf".* - (?!({'|'.join(STAGES)}) )[\w |]+ - metamarch"  # the title while no scene is being loaded
 
 
 def wait_until(what, condition):
@@ -47,13 +48,13 @@ def written(file):
 class Viewer:
     """A running `metamarch view WORDS`."""
 
-    def __init__(self, test, words, environment=None):
+    def __init__(self, test, words, environment=None, stdin=subprocess.DEVNULL):
         self.test = test
         self.display = test.display
         self.out = tempfile.TemporaryFile()
         self.err = tempfile.TemporaryFile()
         self.process = subprocess.Popen(
-            [metamarch(), "view", *words], cwd=test.tmp, stdin=subprocess.DEVNULL, stdout=self.out, stderr=self.err,
+            [metamarch(), "view", *words], cwd=test.tmp, stdin=stdin, stdout=self.out, stderr=self.err,
             preexec_fn=die_with_parent,
             env={**os.environ, **test.environment, "METAMARCH_MESSAGE_SECONDS": "0", "DISPLAY": self.display.name,
                  **(environment or {})})
