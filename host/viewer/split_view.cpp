@@ -51,7 +51,7 @@ bool SplitView::areOf(const std::vector<std::string>& traversals, const glm::uve
 
 void SplitView::make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
                      const glm::uvec2 windowSize, const ShaderOverrides& shaders, const Backdrop& backdrop) {
-    clear();
+    clearPictures();
     size = windowSize;
     for (const std::string& name : traversals) {
         viewports.push_back(std::make_unique<Viewport>(device, scene, name, size, shaders, backdrop));
@@ -59,6 +59,11 @@ void SplitView::make(const render::DeviceScene& scene, const std::vector<std::st
 }
 
 void SplitView::clear() {
+    clearPictures();
+    compiled.clear();
+}
+
+void SplitView::clearPictures() {
     viewports.clear();
     hasPicture = false;
     countersBefore = {};
@@ -117,7 +122,7 @@ bool SplitView::advance() {
         do {
             for (const auto& viewport : viewports) {
                 if (!viewport->isWhole()) {
-                    viewport->advance(share(kQuickSeconds));
+                    advance(*viewport, share(kQuickSeconds));
                 }
             }
         } while (!isWhole() && stopwatch.seconds() < kQuickSeconds);
@@ -125,13 +130,22 @@ bool SplitView::advance() {
     }
     bool hasWorked = false;
     for (const auto& viewport : viewports) {
-        hasWorked = viewport->advance(share(kCalmSeconds)) || hasWorked;
+        hasWorked = advance(*viewport, share(kCalmSeconds)) || hasWorked;
     }
     return hasWorked;
 }
 
+bool SplitView::advance(Viewport& viewport, const double seconds) {
+    if (viewport.isBeforeKernel()) {
+        compiled.insert(viewport.traversal());
+    }
+    return viewport.advance(seconds);
+}
+
 bool SplitView::isBeforeKernel() const {
-    return std::ranges::any_of(viewports, [](const auto& viewport) { return viewport->isBeforeKernel(); });
+    return std::ranges::any_of(viewports, [&](const auto& viewport) {
+        return viewport->isBeforeKernel() && !compiled.contains(viewport->traversal());
+    });
 }
 
 void SplitView::paint(vulkan::Commands& commands, const Screen& screen, const float line) {

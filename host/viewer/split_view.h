@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class SplitView {
     // outlive the viewports. Throws what Viewport throws.
     void make(const render::DeviceScene& scene, const std::vector<std::string>& traversals,
               glm::uvec2 windowSize, const ShaderOverrides& shaders, const Backdrop& backdrop);
+    // Also call it when scene or shaders change.
     void clear();
 
     void start(const RenderRequest& request);
@@ -40,7 +42,8 @@ class SplitView {
     // one submission for each viewport. Returns false if nothing is left to do. Throws what
     // PathTracer::advance throws.
     bool advance();
-    // Returns true if that creates the path tracer's kernel, for which a driver may take long.
+    // Returns true if that creates the path tracer's kernel, for which a driver may take long. The device
+    // keeps the kernels of viewports before, since clear().
     bool isBeforeKernel() const;
 
     // Writes the screen. `line` is where the left viewport ends, as a fraction of the screen's width. Until
@@ -64,6 +67,8 @@ class SplitView {
 
   private:
     bool isWhole() const;
+    void clearPictures();
+    bool advance(Viewport& viewport, double seconds);
     void paintBefore(vulkan::Commands& commands, const Screen& screen);
     // Returns the column after the last of this viewport.
     std::uint32_t endOf(std::size_t viewport, float line, std::uint32_t width) const;
@@ -75,6 +80,7 @@ class SplitView {
     bool hasPicture = false; // the viewports have been whole since make()
     StretchedPicture stretched;
     RenderRequest request;
+    std::set<std::string> compiled; // traversals with which the path tracer's kernel has been created
 
     Stopwatch sinceMeasured;
     int frames = 0;                                     // since sinceMeasured was started

@@ -7,8 +7,16 @@ class ResizeTest(ViewerTest):
     def test_every_size_shows_the_headless_picture(self):
         viewer = self.open(CORNELL, "--spp", "2")
         for width, height in ((200, 90), (61, 97), (320, 240)):
+            expected = self.render(CORNELL, "--spp", "2", size=f"{width}x{height}")
             viewer.resize(width, height)
-            self.assert_shows(viewer, self.render(CORNELL, "--spp", "2", size=f"{width}x{height}"))
+            titles = set()
+
+            def shows(picture=expected, seen=titles):
+                seen.add(viewer.title)
+                return viewer.screenshot() == picture
+
+            viewer.wait_until("the headless picture", shows)
+            self.assertFalse([title for title in titles if "preparing" in title])  # the kernel is there
         self.quit(viewer)
 
     def test_many_sizes_in_a_row(self):

@@ -8,27 +8,66 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace metamarch::viewer {
 namespace {
 
 constexpr std::uint32_t kSamples = 2;
 
-TEST(SplitView, measuresBothSides) {
-    const vulkan::Device& device = vulkan::testDevice();
+render::PreparedScene cornell() {
     const auto file = std::filesystem::path(METAMARCH_SOURCE_DIR) / "scenes" / "cornell.glb";
     render::PreparedScene prepared(std::make_shared<const Scene>(loadScene(file)), {});
     prepared.light("cornell.glb", {}, {});
-    const render::DeviceScene scene(device, prepared);
+    return prepared;
+}
+
+RenderRequest requestFor(const render::PreparedScene& scene) {
+    RenderRequest request;
+    request.camera = scene.scene->cameras.front();
+    request.settings = PathChoice{}.applied(scene.shading->settings);
+    request.endSample = kSamples;
+    return request;
+}
+
+TEST(SplitView, knowsWhatIsCompiled) {
+    const vulkan::Device& device = vulkan::testDevice();
+    const render::DeviceScene scene(device, cornell());
+    const ShaderOverrides none;
+    const Backdrop backdrop(device);
+    SplitView view(device);
+    for (const bool hasPreview : {true, false}) {
+        // Returns how often the pictures wait for the driver.
+        const auto kernels = [&](const std::vector<std::string>& traversals, const glm::uvec2 size) {
+            view.make(scene, traversals, size, none, backdrop);
+            RenderRequest request = requestFor(scene.scene());
+            request.hasPreview = hasPreview;
+            view.start(request);
+            int count = 0;
+            do {
+                count += view.isBeforeKernel() ? 1 : 0;
+            } while (view.advance());
+            return count;
+        };
+        EXPECT_EQ(kernels({"meta_table"}, {40, 30}), 1);
+        EXPECT_EQ(kernels({"meta_table"}, {50, 30}), 0);
+        EXPECT_EQ(kernels({"meta_table", "kd_stack"}, {50, 30}), 1);
+        EXPECT_EQ(kernels({"kd_stack"}, {50, 30}), 0);
+        view.clear(); // another scene, or other shaders
+        EXPECT_EQ(kernels({"kd_stack"}, {50, 30}), 1);
+        view.clear();
+    }
+}
+
+TEST(SplitView, measuresBothSides) {
+    const vulkan::Device& device = vulkan::testDevice();
+    const render::DeviceScene scene(device, cornell());
     const ShaderOverrides none;
     const Backdrop backdrop(device);
     SplitView view(device);
     view.make(scene, {"meta_table", "kd_stack"}, {40, 30}, none, backdrop);
-    RenderRequest request;
-    request.camera = scene.scene().scene->cameras.front();
-    request.settings = PathChoice{}.applied(scene.scene().shading->settings);
-    request.endSample = kSamples;
-    view.start(request);
+    view.start(requestFor(scene.scene()));
     while (view.advance()) {
     }
 
