@@ -2,11 +2,13 @@
 #include "metamarch/viewer/pixel_readout.h"
 
 #include "metamarch/image/aov.h"
+#include "metamarch/shared/screen.h"
 #include "metamarch/viewer/pick.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace metamarch::viewer {
 namespace {
@@ -68,6 +70,26 @@ std::vector<std::string> hitLines(const LoadedScene& scene, const Camera& camera
         lines.push_back(fmt::format("{:<13}({}, {}, {}), leaf {}", "cell", last.cell.x, last.cell.y,
                                     last.cell.z, last.leafId));
     }
+    return lines;
+}
+
+std::vector<std::string> readOutLines(const ViewerState& state, const SplitView& shown) {
+    const glm::vec2 size(state.size);
+    const bool isInside = glm::all(glm::greaterThanEqual(state.cursor, glm::vec2(0.0f))) &&
+                          glm::all(glm::lessThan(state.cursor, size));
+    if (!state.settings.hasReadOut || !isInside) {
+        return {};
+    }
+    const glm::uvec2 pixel(state.zoom.toPicture(state.cursor));
+    std::vector<std::string> lines = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
+    if (!shown.isEmpty() && !state.settings.view && state.kept.shown() == Shown::present) {
+        const ProgressiveImage& film = shown.under(pixel.x, state.settings.splitAt);
+        const glm::uvec2 place(pixelUnder(pixel.x, film.size().x, state.size.x),
+                               pixelUnder(pixel.y, film.size().y, state.size.y));
+        std::ranges::move(channelLines(film.filmPixel(place)), std::back_inserter(lines));
+    }
+    std::ranges::move(hitLines(*state.scene, state.traced(), glm::vec2(pixel) + 0.5f),
+                      std::back_inserter(lines));
     return lines;
 }
 

@@ -2,15 +2,10 @@
 #include "metamarch/viewer/viewer.h"
 
 #include "metamarch/error/error.h"
-#include "metamarch/reference/eye_media.h"
 #include "metamarch/render/stopwatch.h"
-#include "metamarch/render/view_names.h"
 #include "metamarch/shaders/shader_library.h"
-#include "metamarch/shared/screen.h"
 #include "metamarch/viewer/actions.h"
-#include "metamarch/viewer/backdrop.h"
 #include "metamarch/viewer/controls.h"
-#include "metamarch/viewer/heat_range.h"
 #include "metamarch/viewer/kept_pictures.h"
 #include "metamarch/viewer/magnifier.h"
 #include "metamarch/viewer/overlay.h"
@@ -20,21 +15,15 @@
 #include "metamarch/viewer/player.h"
 #include "metamarch/viewer/presenter.h"
 #include "metamarch/viewer/recent_files.h"
+#include "metamarch/viewer/renderer.h"
 #include "metamarch/viewer/scene_source.h"
-#include "metamarch/viewer/shader_reload.h"
-#include "metamarch/viewer/split_view.h"
+#include "metamarch/viewer/title.h"
 #include "metamarch/viewer/tour.h"
-#include "metamarch/vulkan/byte_text.h"
 #include "metamarch/vulkan/context.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <functional>
-#include <iterator>
-#include <limits>
 #include <utility>
 
 namespace metamarch::viewer {
@@ -55,12 +44,12 @@ class Viewer {
                  [this](const VkPhysicalDevice candidate, const std::uint32_t queueFamily) {
                      return system.presents(*context.instance(), candidate, queueFamily);
                  }),
-          presenter(context, device, window), shaders(options.shaderFolder), saver(options.software, device),
-          scenes(options.scene, options.settings), keptPictures(device), magnifier(device), backdrop(device),
-          splitView(device) {
+          presenter(context, device, window), saver(options.software, device),
+          scenes(options.scene, options.settings), keptPictures(device), magnifier(device),
+          renderer(device, presenter, options.shaderFolder) {
         state.file = options.scene.file;
         state.settings = options.settings;
-        state.shaderFolder = shaders.folder().string();
+        state.shaderFolder = renderer.shaderFolder().string();
         state.statistics.device = fmt::format("{} ({})", device.name(), device.report().driverInfo);
         for (const std::string& traversal : state.traversals()) {
             render::requireTraversal(device.report(), traversal);
@@ -74,13 +63,6 @@ class Viewer {
         scenes.ask(state);
     }
 
-    ~Viewer() {
-        try {
-            dropPictures();
-        } catch (const std::exception&) {
-            // The device is lost; the exception that reported it is already on its way.
-        }
-    }
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
@@ -117,7 +99,9 @@ class Viewer {
             // Behind a kept view the time of an animation stands still.
             player.playAnimations(isKeptShown() ? 0.0 : seconds, scenes.isBusy() || isKeptShown(), state);
             player.playMarch(seconds, state);
-            fitHeat();
+            if (!isKeptShown()) {
+                renderer.fitHeat(state);
+            }
             followOrShow(before);
             followZoom();
             if (state.scene) {
@@ -126,27 +110,29 @@ class Viewer {
                 }
                 drawOverlay(state);
                 drawZoom(state);
-                readOut();
+                state.readOut = readOutLines(state, renderer.view());
                 drawReadOut(state);
             }
-            const bool isAnnounced = announceKernel() || state.loadStage == LoadStage::uploading;
+            const bool isAnnounced =
+                renderer.announceKernel(scenes.isBusy(), state) || state.loadStage == LoadStage::uploading;
             drawBusy(state);
             if (!isWindowWanted) { // messages do not belong into the picture
                 drawMessages(state);
             }
-            if (isAnnounced || trace()) {
+            if (isAnnounced || renderer.trace(state)) {
                 quietFrames = 0;
             }
-            state.filterRefusal = splitView.isEmpty() ? "" : splitView.progressive().filterRefusal();
+            state.filterRefusal =
+                renderer.view().isEmpty() ? "" : renderer.view().progressive().filterRefusal();
             presenter.endFrame(
                 [&](vulkan::Commands& commands, const Screen& screen) -> const vulkan::Buffer& {
-                    splitView.paint(commands, screen, state.settings.splitAt);
+                    renderer.view().paint(commands, screen, state.settings.splitAt);
                     keptPictures.paint(commands, screen, state.kept.shown());
                     return state.zoom.isOn() ? magnifier.record(commands, screen, state.zoom) : screen.pixels;
                 });
             saveWindow();
-            splitView.measure(state.statistics);
-            window.setTitle(titleText());
+            renderer.view().measure(state.statistics);
+            window.setTitle(titleText(state, renderer.isKernelSaid()));
         }
         if (scenes.isBusy()) {
             // Reading cannot be interrupted, and nobody waits for its result. Nothing else is lost: kernels
@@ -158,7 +144,7 @@ class Viewer {
   private:
     // Returns true if something is on its way that comes without an event.
     bool isExpecting() const {
-        return scenes.isBusy() || splitView.isDenoising() || state.playback.isPlaying ||
+        return scenes.isBusy() || renderer.view().isDenoising() || state.playback.isPlaying ||
                state.isMarchPlaying || player.isSaving();
     }
 
@@ -199,17 +185,7 @@ class Viewer {
         const bool isOther = isFirst || state.scene->request.file != loaded->request.file;
         state.size = presenter.size();
         const ViewCamera camera = cameraFor(*loaded); // throws for a camera that the scene does not have
-        auto next = std::make_unique<render::DeviceScene>(device, loaded->shown);
-        dropPictures();
-        deviceScene = std::move(next);
-        if (device.memoryUse().spilled > 0) { // what the last scene and its pictures took is free now
-            deviceScene.reset();
-            deviceScene = std::make_unique<render::DeviceScene>(device, loaded->shown);
-        }
-        if (device.memoryUse().spilled > 0) {
-            state.say(fmt::format("warning: {} of the scene lie in host memory, which {} reads more slowly",
-                                  vulkan::byteText(device.memoryUse().spilled), device.name()));
-        }
+        renderer.upload(loaded->shown, state);
         if (isOther || state.scene->whole != loaded->whole) {
             for (const std::string& warning : loaded->warnings) {
                 state.say("warning: " + warning);
@@ -231,8 +207,6 @@ class Viewer {
         if (isFirst && options.hasTour) {
             showTourScreen(state, 0);
         }
-        state.statistics.deviceBytes = deviceScene->bytes();
-        isStale = true;
     }
 
     // Returns the camera of the command line for the first scene, firstCamera for another file, and the
@@ -257,20 +231,7 @@ class Viewer {
         if (std::exchange(isFileGone, scenes.isFileGone()) != scenes.isFileGone() && isFileGone) {
             state.say(state.file.string() + " is gone; the window shows what it has read");
         }
-        if (deviceScene && shaders.hasChanged()) {
-            compileShaders();
-            if (state.shaderError.empty()) {
-                dropPictures();
-                isStale = true;
-            }
-        }
-    }
-
-    void compileShaders() {
-        const std::string error = shaders.compile(state.traversals(), deviceScene->buffers().memoryKind());
-        state.shaderError = error;
-        state.say(error.empty() ? "shaders compiled anew"
-                                : "shader error: " + error.substr(0, error.find('\n')));
+        renderer.followShaders(state);
     }
 
     // --- actions of keys and buttons ---
@@ -317,13 +278,14 @@ class Viewer {
             saveKept(ending);
             return;
         }
-        if (splitView.isEmpty() || !state.busy.empty()) {
+        if (renderer.view().isEmpty() || !state.busy.empty()) {
             state.say("the picture is on its way: save it when it is there");
             return;
         }
         try {
-            state.say(saver.save(splitView.progressive(), splitView.shown(), splitView.leftTraversal(), state,
-                                 ending, chosenDenoiser(), backdrop));
+            state.say(saver.save(renderer.view().progressive(), renderer.view().shown(),
+                                 renderer.view().leftTraversal(), state, ending,
+                                 renderer.chosenDenoiser(state), renderer.backdrop()));
         } catch (const Error& error) {
             state.say(error.what());
         }
@@ -368,45 +330,12 @@ class Viewer {
         }
     }
 
-    // Chooses the range of a heat map once its picture is whole.
-    void fitHeat() {
-        const Settings& settings = state.settings;
-        const bool isHeat = settings.view && isHeatMap(*settings.view) && settings.isHeatFitted;
-        if (!isHeat || isHeatKnown || isStale || isKeptShown() || splitView.isEmpty() ||
-            splitView.shown().view != settings.view || !splitView.progressive().isWhole()) {
-            return;
-        }
-        isHeatKnown = true;
-        state.settings.heatMax = fittingHeat(splitView.progressive().shownPixels(), settings.heatMax);
-    }
-
-    // Brings the lines about the pixel under the cursor up to date, with the film of its side.
-    void readOut() {
-        state.readOut.clear();
-        const glm::vec2 size(state.size);
-        const bool isInside = glm::all(glm::greaterThanEqual(state.cursor, glm::vec2(0.0f))) &&
-                              glm::all(glm::lessThan(state.cursor, size));
-        if (!state.settings.hasReadOut || !isInside) {
-            return;
-        }
-        const glm::uvec2 pixel(state.zoom.toPicture(state.cursor));
-        state.readOut = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
-        if (!splitView.isEmpty() && !state.settings.view && !isKeptShown()) {
-            const ProgressiveImage& film = splitView.under(pixel.x, state.settings.splitAt);
-            const glm::uvec2 place(pixelUnder(pixel.x, film.size().x, state.size.x),
-                                   pixelUnder(pixel.y, film.size().y, state.size.y));
-            std::ranges::move(channelLines(film.filmPixel(place)), std::back_inserter(state.readOut));
-        }
-        std::ranges::move(hitLines(*state.scene, state.traced(), glm::vec2(pixel) + 0.5f),
-                          std::back_inserter(state.readOut));
-    }
-
     // --- A and B ---
 
     bool isKeptShown() const { return state.kept.shown() != Shown::present; }
 
     void keep(const Shown slot) {
-        if (!isKeptShown() && !splitView.isShown()) {
+        if (!isKeptShown() && !renderer.view().isShown()) {
             state.say("the picture is on its way: keep it when it is there");
             return;
         }
@@ -494,7 +423,6 @@ class Viewer {
 
     // --- pictures ---
 
-    // Compares the settings with those before and restarts only what a change affects.
     void follow(const Settings& before, const ViewCamera& cameraBefore) {
         const Settings& now = state.settings;
         const bool isOtherScene = before.light != now.light || before.import != now.import ||
@@ -503,141 +431,10 @@ class Viewer {
         if (isOtherScene) {
             scenes.ask(state);
         }
-        const bool isOtherPicture = cameraBefore != state.camera || before.path != now.path ||
-                                    before.view != now.view || before.heatMax != now.heatMax ||
-                                    before.isHeatFitted != now.isHeatFitted ||
-                                    before.samples != now.samples || before.traversal != now.traversal ||
-                                    before.secondTraversal != now.secondTraversal;
-        isStale = isStale || isOtherPicture;
-        isHalted = isHalted && !isStale && haltedSize == state.size;
-        if (!deviceScene || isHalted) {
-            return;
-        }
-        const bool areOthers = !splitView.areOf(state.traversals(), state.size);
-        attempt([&] {
-            if (areOthers) {
-                presenter.wait();
-                if (shaders.lacks(state.traversals())) {
-                    compileShaders();
-                }
-                splitView.make(*deviceScene, state.traversals(), state.size, shaders.overrides(), backdrop);
-            }
-            backdrop.follow(now.backdrop, state.scene->shown.shading, state.traced(), now.tone);
-            splitView.setTone(now.tone);
-            splitView.setDenoiser(chosenDenoiser());
-            splitView.setFilter(now.hasFilter);
-            splitView.setChannel(now.channel);
-            if (std::exchange(isStale, false) || areOthers) {
-                splitView.start(makeRenderRequest());
-                isHeatKnown = false;
-            }
-        });
-    }
-
-    // Returns null if noise stays. Loads the library when it is first wanted, and says so if it is not there.
-    const Denoiser* chosenDenoiser() {
-        if (state.settings.isDenoised && !denoiser) {
-            try {
-                denoiser.emplace();
-            } catch (const Error& error) {
-                state.settings.isDenoised = false;
-                state.say(error.what());
-            }
-        }
-        return state.settings.isDenoised ? &*denoiser : nullptr;
-    }
-
-    // The frame before the one in which the window waits for the driver says so. Returns true for that frame.
-    bool announceKernel() {
-        const bool wasSaid = std::exchange(isKernelSaid, splitView.isBeforeKernel() && !scenes.isBusy());
-        if (wasSaid != isKernelSaid && !scenes.isBusy()) {
-            state.busy = isKernelSaid ? "preparing the path tracer; the driver may compile it now" : "";
-        }
-        return isKernelSaid && !wasSaid;
-    }
-
-    // Returns true if the device has worked.
-    bool trace() {
-        bool hasWorked = false;
-        if (!splitView.isEmpty()) {
-            attempt([&] {
-                hasWorked = splitView.advance();
-                splitView.update();
-            });
-        }
-        return hasWorked;
-    }
-
-    // Shows the error if the device cannot do the work, and halts until something changes.
-    void attempt(const std::function<void()>& work) {
-        try {
-            work();
-        } catch (const Error& error) {
-            if (isLost()) {
-                throw;
-            }
-            state.say(error.what());
-            dropPictures();
-            isStale = false;
-            isHalted = true;
-            haltedSize = state.size;
-        }
+        renderer.follow(before, cameraBefore, state);
     }
 
     bool isLost() const { return !device.waitIdle(); }
-
-    void dropPictures() {
-        presenter.wait();
-        splitView.clear();
-    }
-
-    RenderRequest makeRenderRequest() const {
-        RenderRequest request;
-        request.camera = sceneCameraOf(state.camera, *state.scene->whole);
-        request.lens = lensOf(state.camera);
-        request.lens.pixelFilter = state.settings.pixelFilter;
-        request.settings = state.settings.path.applied(state.scene->shown.shading->settings);
-        request.settings.eyeMedia =
-            mediaAt(*state.scene->shown.structure, *state.scene->shown.shading, request.camera.eye);
-        request.view = state.settings.view;
-        request.endSample = state.settings.samples;
-        request.hasPreview = state.settings.hasPreview;
-        request.scaleMax = state.settings.heatMax;
-        if (request.view && !isHeatMap(*request.view)) {
-            const glm::vec2 depths = state.depthRange();
-            request.scaleMin = depths[0];
-            request.scaleMax = depths[1];
-        }
-        return request;
-    }
-
-    // What the window waits for, in a word.
-    std::string waitingText() const {
-        return state.playback.isPlaying ? ""
-               : isKernelSaid           ? " - preparing"
-               : state.loadStage        ? fmt::format(" - {}", nameOf(*state.loadStage))
-                                        : "";
-    }
-
-    std::string titleText() const {
-        if (state.file.empty()) {
-            return "metamarch";
-        }
-        const Settings& settings = state.settings;
-        const std::string seen =
-            isKeptShown() ? fmt::format("{} as it was kept", nameOf(state.kept.shown()))
-            : settings.view
-                ? std::string(render::kViewNames[*settings.view].name)
-                : fmt::format("{}, {} of {} samples",
-                              settings.channel.empty() ? std::string(nameOf(settings.path.integrator))
-                                                       : "channel " + settings.channel,
-                              static_cast<std::uint32_t>(state.statistics.viewports[0].samples),
-                              settings.samples);
-        const std::string how =
-            state.hasSplit() ? settings.traversal + " | " + settings.secondTraversal : settings.traversal;
-        return fmt::format("{} - {} - {}{} - metamarch", state.file.filename().string(), seen, how,
-                           waitingText());
-    }
 
     const ViewerOptions& options;
     WindowSystem system;
@@ -645,29 +442,20 @@ class Viewer {
     vulkan::Context context;
     vulkan::Device device;
     Presenter presenter;
-    ShaderReload shaders;
     PictureSaver saver;
     SceneSource scenes;
     Controls controls;
     Player player;
     ViewerState state;
 
-    std::optional<Denoiser> denoiser; // loaded on first use
-    std::unique_ptr<render::DeviceScene> deviceScene;
     KeptPictures keptPictures;
     Magnifier magnifier;
-    Backdrop backdrop;
-    SplitView splitView; // uses the device scene, the denoiser and the backdrop
+    Renderer renderer; // waits at its end for the frame that uses the two above
     RecentFiles recentFiles;
     bool hasDrawnPanels = false;
     bool isFileGone = false;
     bool isWindowWanted = false; // a picture of it
-    bool isKernelSaid = false;   // state.busy says that a kernel is made
-    bool isStale = false;        // the picture must begin anew
-    bool isHeatKnown = false;    // the range of the heat map has been compared with the picture
-    bool isHalted = false;       // there is no picture until a setting or the window's size changes
-    glm::uvec2 haltedSize{0};
-    int quietFrames = 0; // number of frames since something happened
+    int quietFrames = 0;         // number of frames since something happened
 };
 
 } // namespace
