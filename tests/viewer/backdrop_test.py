@@ -30,7 +30,8 @@ class BackdropTest(PanelTest):
         return [value for row in picture["A"] for value in row]
 
     def test_each_kind(self):
-        viewer = self.open(OBJECTS, *WORDS, size=SIZE)
+        viewer = self.open(OBJECTS, *WORDS, size=SIZE, panels=True)  # unfolds the panel
+        viewer.key("Tab")
         plain = self.render(OBJECTS, *WORDS, size=SIZE)
         self.assert_shows(viewer, plain)
 
