@@ -64,7 +64,6 @@ void Inspector::start(const Camera& newCamera, const std::uint32_t newView, cons
     }
     vulkan::write(device, camera, 0, std::as_bytes(std::span(&newCamera, 1)));
     program = &made->second;
-    pixelCount = static_cast<std::uint32_t>(count);
     tiling = Tiling(newCamera);
     nextTile = 0;
     view = newView;
@@ -85,12 +84,6 @@ bool Inspector::advance(const double targetSeconds) {
     seconds += program->work.finished(spent, targetSeconds);
     nextTile += count;
     return isWhole();
-}
-
-std::vector<std::uint32_t> Inspector::download() const {
-    std::vector<std::uint32_t> picture(pixelCount);
-    vulkan::read(device, pixels, 0, std::as_writable_bytes(std::span(picture)));
-    return picture;
 }
 
 } // namespace metamarch::render

@@ -50,8 +50,6 @@ class Inspector {
     // mostPixels, of which the picture fills the first width * height.
     const vulkan::Buffer& picture() const { return pixels; }
 
-    std::vector<std::uint32_t> download() const; // width * height pixels
-
   private:
     struct Program {
         vulkan::ComputePipeline pipeline;
@@ -74,7 +72,6 @@ class Inspector {
 
     // The current picture.
     Program* program = nullptr;
-    std::uint32_t pixelCount = 0;
     Tiling tiling{PixelRect{}}; // none yet
     std::uint32_t nextTile = 0;
     std::uint32_t view = 0;
