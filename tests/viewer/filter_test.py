@@ -20,8 +20,10 @@ class FilterTest(PanelTest):
         viewer.settle()
 
         def early():
-            viewer.key("Home")  # the view is the same afterwards, but the picture begins anew
+            # The view is the same afterwards, but the picture begins anew. In a single frame the keys would cancel out,
+            # and the window would still show the picture from before the switch.
             viewer.key("period")
+            viewer.settle()
             viewer.key("comma")
             viewer.settle()
             viewer.wait_until("the first samples", lambda: self.samples(viewer) >= FIRST)
