@@ -37,12 +37,15 @@ void drawStatistics(const ViewerState& state) {
         line(fmt::format("the picture has {} x {} pixels, all that fit into memory", now.filmSize.x,
                          now.filmSize.y));
     }
-    const std::vector<std::string> traversals = state.traversals();
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
-        if (state.hasSplit()) {
-            ImGui::TextDisabled("%s: %s", i == 0 ? "left" : "right", traversals[i].c_str());
-        }
-        drawViewportStatistics(now.viewports[i], state.settings);
+    // Those of the present picture, also while a kept one is shown.
+    const auto& [left, right] = now.viewports;
+    if (right.traversal.empty()) {
+        drawViewportStatistics(left, state.settings);
+    } else {
+        ImGui::TextDisabled("left: %s", left.traversal.c_str());
+        drawViewportStatistics(left, state.settings);
+        ImGui::TextDisabled("right: %s", right.traversal.c_str());
+        drawViewportStatistics(right, state.settings);
     }
     line(fmt::format("{} triangles, {} on the device", scene.shown.scene->triangles.size(),
                      vulkan::byteText(now.deviceBytes)));

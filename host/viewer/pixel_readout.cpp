@@ -74,13 +74,11 @@ std::vector<std::string> hitLines(const LoadedScene& scene, const Camera& camera
 }
 
 std::vector<std::string> readOutLines(const ViewerState& state, const SplitView& shown) {
-    const glm::vec2 size(state.size);
-    const bool isInside = glm::all(glm::greaterThanEqual(state.cursor, glm::vec2(0.0f))) &&
-                          glm::all(glm::lessThan(state.cursor, size));
-    if (!state.settings.hasReadOut || !isInside) {
+    const std::optional<glm::uvec2> under = state.pixelUnderCursor();
+    if (!state.settings.hasReadOut || !under) {
         return {};
     }
-    const glm::uvec2 pixel(state.zoom.toPicture(state.cursor));
+    const glm::uvec2 pixel = *under;
     std::vector<std::string> lines = {fmt::format("pixel {}, {}", pixel.x, pixel.y)};
     if (!shown.isEmpty() && !state.settings.view && state.kept.shown() == Shown::present) {
         const ProgressiveImage& film = shown.under(pixel.x, state.settings.splitAt);

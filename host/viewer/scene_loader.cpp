@@ -56,6 +56,11 @@ bool SceneLoader::isBusy() const {
     return waiting || isWorking || ready;
 }
 
+LoadStage SceneLoader::stage() const {
+    const std::lock_guard lock(mutex);
+    return waiting ? LoadStage::reading : stage_.load();
+}
+
 bool SceneLoader::hasRefused() const {
     const std::lock_guard lock(mutex);
     return ready && !ready->scene;
@@ -72,6 +77,7 @@ void SceneLoader::run(const std::stop_token& stop) {
         const SceneRequest request = std::move(*waiting);
         waiting.reset();
         isWorking = true;
+        stage_ = LoadStage::reading;
         lock.unlock();
         Answer made = answer(request);
         lock.lock();
@@ -85,7 +91,6 @@ void SceneLoader::run(const std::stop_token& stop) {
 SceneLoader::Answer SceneLoader::answer(const SceneRequest& request) {
     try {
         const bool isRead = last && sameFile(last->request, request);
-        stage_ = LoadStage::reading;
         const Stopwatch import;
         const std::shared_ptr<const Scene> whole =
             isRead ? last->whole : std::make_shared<const Scene>(loadScene(request.file, request.import));

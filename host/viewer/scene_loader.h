@@ -61,7 +61,7 @@ class SceneLoader {
     // has not changed since the last scene: a change of light reads no scene file and builds no tree.
     void ask(SceneRequest request);
     bool isBusy() const;
-    LoadStage stage() const { return stage_; } // while it is busy
+    LoadStage stage() const; // of the last request, while it is busy
     // Returns true if take() has a reason why there is no scene.
     bool hasRefused() const;
 

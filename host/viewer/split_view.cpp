@@ -191,14 +191,17 @@ void SplitView::paintBefore(vulkan::Commands& commands, const Screen& screen) {
 
 void SplitView::measure(Statistics& statistics) {
     ++frames;
-    for (ViewportStatistics& side : statistics.viewports) {
-        side.samples = side.seconds = 0.0;
-    }
-    for (std::size_t i = 0; i < viewports.size(); ++i) {
-        const ProgressiveImage& fine = viewports[i]->fineImage();
-        statistics.viewports[i].samples = fine.samples();
-        statistics.viewports[i].seconds =
-            fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
+    for (std::size_t i = 0; i < statistics.viewports.size(); ++i) {
+        ViewportStatistics& side = statistics.viewports[i];
+        const std::string traversal = i < viewports.size() ? viewports[i]->traversal() : "";
+        if (side.traversal != traversal) {
+            side = {traversal};
+        }
+        if (i < viewports.size()) {
+            const ProgressiveImage& fine = viewports[i]->fineImage();
+            side.samples = fine.samples();
+            side.seconds = fine.isWhole() ? fine.seconds() / std::max(fine.samples(), 1.0) : 0.0;
+        }
     }
     statistics.filmSize = viewports.empty() ? glm::uvec2(0) : progressive().size();
 

@@ -93,6 +93,8 @@ class Viewer {
                 drawPanels(state);
                 drawTour(state);
                 hasDrawnPanels = true;
+            } else {
+                state.coveredLeft = 0.0f;
             }
             scenes.takeDropped(std::exchange(state.opened, {}), state);
             act();

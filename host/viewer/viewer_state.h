@@ -70,8 +70,9 @@ struct Message {
 
 // What one viewport has done.
 struct ViewportStatistics {
-    double samples = 0.0; // mean number of samples per pixel so far
-    double seconds = 0.0; // of the device, per sample or for the whole view; 0: the first is not complete
+    std::string traversal; // empty: there is no such viewport
+    double samples = 0.0;  // mean number of samples per pixel so far
+    double seconds = 0.0;  // of the device, per sample or for the whole view; 0: the first is not complete
     double raysPerSecond = 0.0;
     double samplesPerSecond = 0.0;
     double stepsPerRay = 0.0;

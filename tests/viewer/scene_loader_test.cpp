@@ -49,6 +49,21 @@ std::vector<SceneLoader::Answer> answers(SceneLoader& loader) {
     return all;
 }
 
+TEST(SceneLoader, isAtTheFirstStageOfTheLastRequest) {
+    const TemporaryFolder folder;
+    SceneLoader loader;
+    const SceneRequest first = requestOf(makeScene(folder, "first.obj", 1));
+    loader.ask(first);
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (loader.stage() != LoadStage::uploading && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(loader.stage(), LoadStage::uploading); // waits for who takes it
+    ASSERT_TRUE(loader.take());
+    loader.ask(requestOf(makeScene(folder, "second.obj", 20'000)));
+    EXPECT_EQ(loader.stage(), LoadStage::reading);
+}
+
 std::shared_ptr<const LoadedScene> load(SceneLoader& loader, const SceneRequest& request) {
     loader.ask(request);
     const std::vector<SceneLoader::Answer> all = answers(loader);

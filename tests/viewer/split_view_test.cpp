@@ -88,8 +88,14 @@ TEST(SplitView, measuresBothSides) {
 
     view.make(scene, {"kd_stack"}, {40, 30}, none, backdrop);
     view.measure(statistics);
+    EXPECT_EQ(statistics.viewports[0].traversal, "kd_stack");
+    EXPECT_EQ(statistics.viewports[0].raysPerSecond, 0.0) << "those of meta_table before";
     EXPECT_EQ(statistics.viewports[1].samples, 0.0);
+    EXPECT_EQ(statistics.viewports[1].traversal, "");
     view.clear();
+    view.measure(statistics);
+    EXPECT_EQ(statistics.viewports[0].traversal, "");
+    EXPECT_EQ(statistics.viewports[0].stepsPerRay, 0.0);
     EXPECT_EQ(vulkan::validationMessages(), 0u);
 }
 
