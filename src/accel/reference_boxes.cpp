@@ -25,7 +25,8 @@ class RecordBuilder {
   public:
     RecordBuilder(const Lattice& usedLattice, const std::span<const std::uint32_t> usedIndices,
                   MetaTable& filledTable)
-        : lattice(usedLattice), margin(referenceMargin(usedLattice)), indices(usedIndices),
+        : lattice(usedLattice), margin(referenceMargin(usedLattice)),
+          boxMargin(kReferenceBoxMargin / kReferenceMargin * margin), indices(usedIndices),
           table(filledTable) {}
 
     void run() {
@@ -52,7 +53,7 @@ class RecordBuilder {
     }
 
   private:
-    // Returns the box of the part of the triangle in the leaf's exit box, with the margin, in steps of a
+    // Returns the box of the part of the triangle in the leaf's exit box, with its margin, in steps of a
     // frame. The box is empty if there is no such part. No hit is outside the lattice.
     Box boxInSteps(const Leaf& leaf, const TriangleRecord& triangle) const {
         const CellBox exit = metamarch::boxOf(leaf);
@@ -64,8 +65,8 @@ class RecordBuilder {
             return {};
         }
         const glm::dvec3 end(lattice.resolution);
-        return {glm::clamp(part->lo - margin, glm::dvec3(0.0), end) * double{kFrameStepsPerCell},
-                glm::clamp(part->hi + margin, glm::dvec3(0.0), end) * double{kFrameStepsPerCell}};
+        return {glm::clamp(part->lo - boxMargin, glm::dvec3(0.0), end) * double{kFrameStepsPerCell},
+                glm::clamp(part->hi + boxMargin, glm::dvec3(0.0), end) * double{kFrameStepsPerCell}};
     }
 
     static std::size_t groupsOf(const Leaf& leaf) {
@@ -113,6 +114,7 @@ class RecordBuilder {
 
     const Lattice& lattice;
     glm::dvec3 margin; // in cells
+    glm::dvec3 boxMargin;
     std::span<const std::uint32_t> indices;
     MetaTable& table;
 };

@@ -132,6 +132,26 @@ class FaultsTest(ProgramTest):
         self.assertGreater(max(differences), 0.0)
         self.assertLess(sum(differences) / len(differences), 1e-4)
 
+    def test_floats_that_are_rounded_to_zero(self):
+        """With divisions off by 2 ulp besides, every traversal finds brute force's hits: all pictures are the same to the bit."""
+        lists, lacking = self.bench_lists()
+        words = ("--size", "32x24", *SAMPLES, "--quiet", "--traversal")
+        both = "truncation=1,roughDivision=1"
+        for scene in ("objects.glb", "cornell.glb"):
+            with self.subTest(scene=scene):
+                expected = self.radiance(both, scene, *words, "brute_force")
+                for faults in ("", "truncation=1", "roughDivision=1"):
+                    self.assertNotEqual(self.radiance(faults, scene, *words, "brute_force"), expected, "a fault does nothing")
+                different = [name for name in lists["traversals"] if name not in lacking
+                             and self.radiance(both, scene, *words, name) != expected]
+                self.assertEqual(different, [])
+
+    def radiance(self, faults, scene, *words):
+        done = self.run_with(faults, "render", SCENES / scene, "-o", "a.exr", *words)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        picture = self.read_picture("a.exr")
+        return [picture[channel] for channel in "RGB"]
+
 
 if __name__ == "__main__":
     main()

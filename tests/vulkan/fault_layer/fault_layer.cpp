@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -49,6 +50,7 @@ constexpr const char* kFaults[] = {
     "tenBitOnly",        // 1: windows take only 10 bits a colour
     "noOpaqueAlpha",     // 1: windows show what lies behind them
     "roughDivision",     // 1: quotients are off by up to 2 ulp, and the device says that it is a discrete one
+    "truncation",        // 1: floats are rounded to zero, and the device says that it is a discrete one
 };
 
 const std::map<std::string, std::uint64_t>& faults() {
@@ -158,6 +160,23 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* const 
     return result;
 }
 
+// With the fault truncation the calling thread rounds to zero while this lives. A thread that begins
+// meanwhile inherits that for good, and lavapipe begins the threads that run its kernels with the device.
+class RoundsToZero {
+  public:
+    RoundsToZero() {
+        if (has("truncation")) {
+            std::fesetround(FE_TOWARDZERO);
+        }
+    }
+    ~RoundsToZero() { std::fesetround(before); }
+    RoundsToZero(const RoundsToZero&) = delete;
+    RoundsToZero& operator=(const RoundsToZero&) = delete;
+
+  private:
+    int before = std::fegetround();
+};
+
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
                                             const VkDeviceCreateInfo* const info,
                                             const VkAllocationCallbacks* const memory,
@@ -168,7 +187,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const auto create =
         reinterpret_cast<PFN_vkCreateDevice>(address(below(physical).instance, "vkCreateDevice"));
-    const VkResult result = create(physical, info, memory, device);
+    const VkResult result = [&] {
+        const RoundsToZero truncated;
+        return create(physical, info, memory, device);
+    }();
     if (result == VK_SUCCESS) {
         Below made{.deviceAddress = nextOfDevices, .functions = {}};
         for (const char* const name : kOfDevices) {
@@ -183,7 +205,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(const VkPhysicalDevice physical,
 // ---------------------------------------------------------------- properties
 
 void worsen(VkPhysicalDeviceProperties& properties) {
-    if (has("roughDivision")) { // a CPU keeps bits
+    if (has("roughDivision") || has("truncation")) { // a CPU keeps bits
         properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
     }
     VkPhysicalDeviceLimits& limits = properties.limits;
@@ -218,6 +240,10 @@ VKAPI_ATTR void VKAPI_CALL getProperties2(const VkPhysicalDevice physical,
                   reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(part)->maxMemoryAllocationSize);
         } else if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES) {
             limit("driver", reinterpret_cast<VkPhysicalDeviceDriverProperties*>(part)->driverID);
+        } else if (part->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FLOAT_CONTROLS_PROPERTIES &&
+                   has("truncation")) {
+            reinterpret_cast<VkPhysicalDeviceFloatControlsProperties*>(part)->shaderRoundingModeRTEFloat32 =
+                VK_FALSE;
         }
     }
 }
