@@ -37,11 +37,12 @@ VKAPI_ATTR VkBool32 VKAPI_CALL countMessage(VkDebugUtilsMessageSeverityFlagBitsE
 vk::DebugUtilsMessengerCreateInfoEXT messengerInfo() {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return {{},
-            Severity::eWarning | Severity::eError,
-            Type::eValidation | Type::ePerformance,
-            &countMessage,
-            nullptr};
+    // Vulkan-Hpp's own member for the callback has another type from 1.4 on; the C struct's stays.
+    VkDebugUtilsMessengerCreateInfoEXT info = vk::DebugUtilsMessengerCreateInfoEXT{}
+                                                  .setMessageSeverity(Severity::eWarning | Severity::eError)
+                                                  .setMessageType(Type::eValidation | Type::ePerformance);
+    info.pfnUserCallback = countMessage;
+    return info;
 }
 
 bool validationWanted() {

@@ -141,7 +141,9 @@ void GltfAccessor::readSparse(const tinygltf::Model& model, const tinygltf::Acce
     if (!isUnsignedInteger(sparse.indices.componentType)) {
         refuse("sparse indices have component type " + std::to_string(sparse.indices.componentType));
     }
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) {
+    // Newer versions of tinygltf have unsigned offsets.
+    const auto isNegative = [](const auto offset) { return static_cast<std::int64_t>(offset) < 0; };
+    if (isNegative(sparse.indices.byteOffset) || isNegative(sparse.values.byteOffset)) {
         refuse("sparse offset is negative");
     }
 
