@@ -37,7 +37,7 @@ void drawStatistics(const ViewerState& state) {
         line(fmt::format("the picture has {} x {} pixels, all that fit into memory", now.filmSize.x,
                          now.filmSize.y));
     }
-    // Those of the present picture, also while a kept one is shown.
+    // The numbers are of the present picture, also while a kept one is shown.
     const auto& [left, right] = now.viewports;
     if (right.traversal.empty()) {
         drawViewportStatistics(left, state.settings);
