@@ -3,6 +3,7 @@
 
 #include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/else_branches.h"
+#include "metamarch/vulkan/initializers.h"
 
 #include <algorithm>
 
@@ -40,8 +41,8 @@ CompiledKernel::CompiledKernel(const vk::raii::Device& device, const vk::raii::P
                                                 values.size() * sizeof(uint32_t), values.data());
     std::vector<uint32_t> spirv =
         withExactFloats(withoutDeadBranches(source.spirv, source.specialization), source.floatModes);
-    if (source.removesElse) {
-        spirv = withoutElseBranches(spirv);
+    if (source.simplifiesBranches) {
+        spirv = withInitializers(withoutElseBranches(spirv));
     }
     const vk::raii::ShaderModule module(device, {{}, spirv.size() * sizeof(uint32_t), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",

@@ -22,7 +22,7 @@ struct KernelSource {
     uint32_t pushConstantSize = 0;
     std::map<uint32_t, uint32_t> specialization;
     FloatModes floatModes{};
-    bool removesElse = false;
+    bool simplifiesBranches = false;
 
     bool operator==(const KernelSource&) const = default;
 };

@@ -67,7 +67,7 @@ ComputePipeline::ComputePipeline(const Device& device, const KernelInfo& info)
                                            pushConstantSize_,
                                            info.specialization,
                                            report.failsWithFloatModes ? FloatModes{} : report.floatModes,
-                                           report.compilesElseSlowly});
+                                           report.compilesBranchesSlowly});
         createDescriptorSet();
     } catch (const vk::SystemError& error) {
         throw refusalOf(error, fmt::format("{}: cannot make kernel '{}'", device.name(), name_));

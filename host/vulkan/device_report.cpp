@@ -85,7 +85,7 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     report.driver = driver.driverName.data();
     report.driverInfo = driver.driverInfo.data();
     const bool isSwiftShader = driver.driverID == vk::DriverId::eGoogleSwiftshader;
-    report.compilesElseSlowly = isSwiftShader;
+    report.compilesBranchesSlowly = isSwiftShader;
     // It keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
     report.failsWithFloatModes = isSwiftShader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;

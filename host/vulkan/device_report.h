@@ -47,7 +47,7 @@ struct DeviceReport {
     uint32_t subgroupSize = 0;                       // invocations
     FloatModes floatModes;                           // which of them the device offers
     bool failsWithFloatModes = false;                // kernels must do without them
-    bool compilesElseSlowly = false;                 // see withoutElseBranches
+    bool compilesBranchesSlowly = false;             // see withoutElseBranches and withInitializers
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.
     std::vector<std::string> missingForRayQuery; // extensions and features; empty: ray queries are available

@@ -10,8 +10,6 @@
 namespace metamarch::vulkan {
 namespace {
 
-constexpr std::size_t kSpirvBound = 3; // the word of the header that is above every id
-
 // The selection `header` with the blocks of its first branch at [first, second) and those of its second one
 // at [second, end). All are indices of instructions.
 struct IfElse {

@@ -10,6 +10,7 @@ namespace metamarch::vulkan {
 
 // The SPIR-V specification 1.5, section 2.3.
 constexpr std::size_t kSpirvHeaderWords = 5;
+constexpr std::size_t kSpirvBound = 3; // the word of the header that is above every id
 
 using SpirvInstruction = std::span<const uint32_t>;
 

@@ -6,6 +6,7 @@
 #include "metamarch/vulkan/dead_branches.h"
 #include "metamarch/vulkan/else_branches.h"
 #include "metamarch/vulkan/exact_floats.h"
+#include "metamarch/vulkan/initializers.h"
 #include "metamarch/vulkan/spirv_instructions.h"
 #include "shaders/spirv_layout.h"
 
@@ -146,6 +147,7 @@ std::vector<uint32_t> moduleOf(const std::string& blocks, const std::string& mor
         %function = OpTypeFunction %void
         %bool = OpTypeBool
         %uint = OpTypeInt 32 0
+        %local = OpTypePointer Function %uint
         %zero = OpConstant %uint 0
         %one = OpConstant %uint 1
         %isUnknown = OpUndef %bool
@@ -292,7 +294,8 @@ std::size_t visitsOfSwiftShader(const Branches& branches, const uint32_t header,
     return visits;
 }
 
-std::size_t visitsOfSwiftShader(const std::vector<uint32_t>& spirv, const std::size_t most) {
+// SwiftShader runs these passes of SPIRV-Tools.
+std::vector<uint32_t> optimizedBySwiftShader(const std::vector<uint32_t>& spirv) {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_2);
     optimizer.RegisterPerformancePasses();
     std::vector<uint32_t> optimized;
@@ -301,12 +304,28 @@ std::size_t visitsOfSwiftShader(const std::vector<uint32_t>& spirv, const std::s
     if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options)) {
         throw std::runtime_error("SPIRV-Tools cannot optimize the module");
     }
+    return optimized;
+}
+
+std::size_t visitsOfSwiftShader(const std::vector<uint32_t>& spirv, const std::size_t most) {
+    const std::vector<uint32_t> optimized = optimizedBySwiftShader(spirv);
     const Branches branches(optimized);
     std::size_t visits = 0;
     for (const auto& loop : branches.loops) {
         visits = std::max(visits, visitsOfSwiftShader(branches, loop.first, most));
     }
     return visits;
+}
+
+// SPIRV-Tools takes long for the whole path tracer.
+std::vector<uint32_t> pathTracerWith(const uint32_t features) {
+    const auto shader = std::ranges::find_if(shaders(), [](const Shader& candidate) {
+        return candidate.kernel == "path" && candidate.traversal == "meta_table";
+    });
+    if (shader == shaders().end()) {
+        throw std::runtime_error("there is no path tracer with the meta table");
+    }
+    return vulkan::withoutDeadBranches(shader->spirv, {{kSpecFeatures, features}});
 }
 
 TEST(ElseBranches, leaveValidModules) {
@@ -318,12 +337,7 @@ TEST(ElseBranches, leaveValidModules) {
 
 TEST(ElseBranches, areWhatSwiftShaderCannotTake) {
     constexpr std::size_t kMost = 1'000'000;
-    const auto shader = std::ranges::find_if(shaders(), [](const Shader& candidate) {
-        return candidate.kernel == "path" && candidate.traversal == "meta_table";
-    });
-    ASSERT_NE(shader, shaders().end());
-    // The kernel of a Lambert scene: SPIRV-Tools takes long for the whole one.
-    const std::vector<uint32_t> whole = vulkan::withoutDeadBranches(shader->spirv, {{kSpecFeatures, 0u}});
+    const std::vector<uint32_t> whole = pathTracerWith(0);
     EXPECT_EQ(visitsOfSwiftShader(whole, kMost), kMost);
     EXPECT_LT(visitsOfSwiftShader(vulkan::withoutElseBranches(whole), kMost), kMost / 4);
 }
@@ -396,6 +410,50 @@ TEST(ElseBranches, stayInADamagedModule) {
                                        vulkan::firstSpirvWord(spv::OpLabel, 1)};
     EXPECT_EQ(vulkan::withoutElseBranches(cut), cut);
     EXPECT_EQ(vulkan::withoutElseBranches({}), std::vector<uint32_t>());
+}
+
+TEST(Initializers, leaveValidModules) {
+    for (const Shader& shader : shaders()) {
+        EXPECT_EQ(faultsOf(vulkan::withInitializers(shader.spirv)), "")
+            << shader.kernel << ' ' << shader.traversal;
+    }
+}
+
+TEST(Initializers, endTheSearchForValues) {
+    const std::vector<uint32_t> kernel = vulkan::withoutElseBranches(pathTracerWith(kFeatureFacets));
+    const auto idsOf = [](const std::vector<uint32_t>& spirv) {
+        return optimizedBySwiftShader(spirv)[vulkan::kSpirvBound];
+    };
+    EXPECT_LT(idsOf(vulkan::withInitializers(kernel)), 2 * idsOf(kernel) / 3);
+}
+
+// The second variable has one.
+TEST(Initializers, areZeroWhereThereIsNone) {
+    const std::vector<uint32_t> spirv = moduleOf(R"(
+        %entry = OpLabel
+        %without = OpVariable %local Function
+        %with = OpVariable %local Function %one
+        OpReturn
+    )");
+    ASSERT_EQ(faultsOf(spirv), "");
+    const std::vector<uint32_t> words = vulkan::withInitializers(spirv);
+    EXPECT_EQ(faultsOf(words), "");
+    EXPECT_EQ(countOf(words, spv::OpConstantNull), 1u);
+    EXPECT_EQ(words.size(), spirv.size() + 4); // the constant, and a word that names it
+    EXPECT_EQ(vulkan::withInitializers(words), words);
+}
+
+TEST(Initializers, changeNothingInADamagedModule) {
+    const std::vector<uint32_t> damaged = {0x07230203u, 0x00010500u, 0, 1, 0, 15};
+    EXPECT_EQ(vulkan::withInitializers(damaged), damaged);
+    // Instructions with too few words.
+    std::vector<uint32_t> cut = {0x07230203u, 0x00010500u, 0, 1, 0};
+    for (const uint32_t opcode : {spv::OpTypeInt, spv::OpTypeVector, spv::OpTypeStruct, spv::OpTypePointer,
+                                  spv::OpVariable, spv::OpFunction}) {
+        cut.push_back(vulkan::firstSpirvWord(opcode, 1));
+    }
+    EXPECT_EQ(vulkan::withInitializers(cut), cut);
+    EXPECT_EQ(vulkan::withInitializers({}), std::vector<uint32_t>());
 }
 
 TEST(ExactFloats, changeNothingInADamagedModule) {
