@@ -35,7 +35,8 @@ viewer::ViewCamera chooseViewCamera(const ViewChoice& view, const Scene& scene,
     if (view.eye && view.target) {
         camera = poseOf(view);
     } else if (!view.camera.empty() || !scene.cameras.empty()) {
-        const SceneCamera& chosen = selectCamera(scene, view.camera.empty() ? "0" : view.camera);
+        const std::string name = view.camera.empty() ? "0" : view.camera;
+        const SceneCamera& chosen = selectCamera(scene, name);
         camera = viewer::ofFile(scene, static_cast<std::size_t>(&chosen - scene.cameras.data()),
                                 viewer::distanceTo(boundsOf(scene), chosen.eye));
     } else {
