@@ -88,6 +88,9 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     report.compilesBranchesSlowly = isSwiftShader;
     // It keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
     report.failsWithFloatModes = isSwiftShader;
+    // A lane that has left a loop computes what it last computed there again, for each turn of the others. It
+    // comes to the same, but for loads from storage buffers: these are 0, because the lane is off.
+    report.failsWithStorageBuffers = isSwiftShader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     report.maxMemoryAllocationSize =
         chain.get<vk::PhysicalDeviceMaintenance3Properties>().maxMemoryAllocationSize;
@@ -184,7 +187,7 @@ std::string versionText(uint32_t apiVersion) {
 }
 
 bool DeviceReport::runsWithStorageBuffers() const {
-    return maxPerStageDescriptorStorageBuffers >= kMostStorageBuffers;
+    return !failsWithStorageBuffers && maxPerStageDescriptorStorageBuffers >= kMostStorageBuffers;
 }
 
 bool DeviceReport::runsEveryKernel() const {

@@ -47,6 +47,7 @@ struct DeviceReport {
     uint32_t subgroupSize = 0;                       // invocations
     FloatModes floatModes;                           // which of them the device offers
     bool failsWithFloatModes = false;                // kernels must do without them
+    bool failsWithStorageBuffers = false;            // kernels must read the scene from texel buffers
     bool compilesBranchesSlowly = false;             // see withoutElseBranches and withInitializers
 
     // Ray queries through the driver's own hierarchy (BoxHierarchy); only some traversals need them.

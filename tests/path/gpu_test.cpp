@@ -22,6 +22,11 @@ class PathGpu : public testing::TestWithParam<GpuPathScene> {
 };
 
 TEST_P(PathGpu, drawsWhatTheCpuDraws) {
+    if (GetParam().name == "everything" && vulkan::testDevice().report().driver.starts_with("SwiftShader")) {
+        GTEST_SKIP()
+            << "its compiler ends the process: the kernel with every feature has more local variables "
+               "than a stack frame takes";
+    }
     const PathWork work = GetParam().work;
     const BothSides sides(GetParam().make(), {work.side + 12, work.side + 4});
     const FilmData expected = sides.filmOnCpu(work);
@@ -178,9 +183,11 @@ TEST_P(PathGpuFile, drawsWhatTheCpuDraws) {
                     : made.scene.cameras.front();
     const BothSides sides(made, {48, 36});
     const PathWork work{.samples = 4};
+    const auto render =
+        vulkan::skipUnlessTexelsSuffice([&] { return sides.onDevice(kDefaultTraversal, work); });
     const auto expected = sides.onCpu(work);
     expectPicture(expected);
-    expectSameFilm(sides.onDevice(kDefaultTraversal, work).film.pixels, expected);
+    expectSameFilm(render.film.pixels, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(

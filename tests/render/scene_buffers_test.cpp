@@ -18,6 +18,13 @@ namespace {
 
 class SceneBuffers : public testing::Test {
   protected:
+    static void skipWhereStorageBuffersFail() {
+        if (vulkan::testDevice().report().failsWithStorageBuffers) {
+            vulkan::skipTest("the driver changes what a lane has loaded from a storage buffer in a loop "
+                             "that it has left");
+        }
+    }
+
     void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
 
     std::uint64_t records() const { return structure.triangles.size(); }
@@ -47,6 +54,7 @@ class SceneBuffers : public testing::Test {
 
 // One traversal is enough, because only one function, which all traversals call, knows the chunks.
 TEST_F(SceneBuffers, giveTheSameHitsInChunks) {
+    skipWhereStorageBuffersFail();
     const std::vector<RayQuery> rays = trickyRays(scene, structure, 20000, 9);
     const auto trace = [&](const render::SceneBuffers& buffers, const bool anyHit) {
         return render::RayTracer(vulkan::testDevice(), buffers, "kd_stack", anyHit).trace(rays);
@@ -114,6 +122,7 @@ TEST(Traversals, areRefusedByNameWhereADeviceCannotRunThem) {
 
 // Every shader is built for storage buffers and for texel buffers; both builds must give the same hits.
 TEST_F(SceneBuffers, giveTheSameHitsFromEitherMemory) {
+    skipWhereStorageBuffersFail();
     const std::vector<RayQuery> rays = trickyRays(scene, structure, 2000, 11);
     const vulkan::Device& device = vulkan::testDevice();
     const render::SceneBuffers fast(device, structure, shading);
