@@ -69,38 +69,29 @@ Presenter::~Presenter() {
     ImGui::DestroyContext();
 }
 
-// Returns true if the window is minimised. Its surface may know that before the window does.
-bool Presenter::hasNoSize() const {
-    if (window.pixels().x == 0) {
-        return true;
-    }
-    try {
-        const vk::Extent2D extent = device.physicalDevice().getSurfaceCapabilitiesKHR(*surface).currentExtent;
-        return extent.width == 0 || extent.height == 0;
-    } catch (const vk::SurfaceLostKHRError&) {
-        return false; // makeChain takes a new one
-    }
-}
-
-// Returns false, and keeps the old swapchain, if the window has no size.
+// Returns false if the window has no size.
 bool Presenter::makeChain() {
-    if (hasNoSize()) {
+    const glm::uvec2 size = window.pixels();
+    if (size.x == 0) {
         return false;
     }
-    const glm::uvec2 size = window.pixels();
     wait();
     device.handle().waitIdle();
-    framebuffers.clear();
-    drawn.clear();
     std::optional<Swapchain> next;
     try {
         next.emplace(device, surface, size, chain ? &*chain : nullptr);
     } catch (const vk::SurfaceLostKHRError&) {
+        framebuffers.clear();
         chain.reset();
         surface = nullptr;
         surface = {context.instance(), window.makeSurface(*context.instance())};
         next.emplace(device, surface, size, nullptr);
     }
+    if (next->isEmpty()) {
+        return false; // the surface may know before the window does
+    }
+    framebuffers.clear();
+    drawn.clear();
     chain = std::move(next);
     if (!*renderPass) {
         renderPass = makeRenderPass(device, chain->format());

@@ -48,7 +48,6 @@ class Presenter {
     glm::uvec2 size() const { return chain ? chain->size() : glm::uvec2(0); }
 
   private:
-    bool hasNoSize() const;
     bool makeChain();
     void startPanels();
     void record(const Paint& paint, std::uint32_t image);

@@ -66,6 +66,9 @@ Swapchain::Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& s
                     ? glm::clamp(size, glm::uvec2(limits.minImageExtent.width, limits.minImageExtent.height),
                                  glm::uvec2(limits.maxImageExtent.width, limits.maxImageExtent.height))
                     : glm::uvec2(limits.currentExtent.width, limits.currentExtent.height);
+    if (imageSize.x == 0 || imageSize.y == 0) {
+        return;
+    }
     const std::uint32_t most = limits.maxImageCount == 0 ? kAnySize : limits.maxImageCount;
 
     vk::SwapchainCreateInfoKHR info;

@@ -14,11 +14,12 @@ namespace metamarch::viewer {
 // A swapchain is for one size of the window; after a change of size, a new one replaces it.
 class Swapchain {
   public:
-    // Retires `previous`, which may be null. Throws Error(noDevice) if the device cannot present to the
-    // surface, and vk::SystemError.
+    // Retires `previous`, which may be null. Is empty, and retires nothing, if the surface has no size.
+    // Throws Error(noDevice) if the device cannot present to the surface, and vk::SystemError.
     Swapchain(const vulkan::Device& device, const vk::raii::SurfaceKHR& surface, glm::uvec2 size,
               const Swapchain* previous);
 
+    bool isEmpty() const { return images.empty(); }
     // Says whether blue is the first byte of a pixel. The format has 8 bits per channel and is not an sRGB
     // format, so the bytes are shown unchanged.
     bool isBlueFirst() const { return blueFirst; }
