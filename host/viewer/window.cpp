@@ -8,6 +8,7 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace metamarch::viewer {
@@ -24,6 +25,12 @@ Window& windowOf(GLFWwindow* const window) { return *static_cast<Window*>(glfwGe
 } // namespace
 
 WindowSystem::WindowSystem() {
+#ifdef GLFW_PLATFORM // from GLFW 3.4 on
+    // Wayland's sockets lie in that folder. Where there is none, GLFW's search for Wayland prints an error.
+    if (std::getenv("XDG_RUNTIME_DIR") == nullptr && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE) {
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+    }
+#endif
     if (glfwInit() != GLFW_TRUE) {
         throw Error(
             ErrorKind::noDevice,
