@@ -12,9 +12,10 @@ namespace metamarch {
 // side: 64 half-ulps. src/accel/README.md adds up the rounding errors that it must cover.
 inline constexpr double kReferenceMargin = 0x1p-18;
 
-// A reference's box is larger by this than the triangle's part, as a fraction of the longest side: 88
-// half-ulps. The roundings of its own planes come to those that kReferenceMargin covers.
-inline constexpr double kReferenceBoxMargin = 88.0 * 0x1p-24;
+// The box of a reference is larger by this than the triangle's part, and a box of a hierarchy than the
+// triangle, as a fraction of the longest side: 88 half-ulps. The roundings of a box's own planes come to
+// those that kReferenceMargin covers.
+inline constexpr double kBoxMargin = 88.0 * 0x1p-24;
 
 // Geometry keeps this distance from the faces of the lattice, as a fraction of its longest side.
 inline constexpr double kBoxPadding = 2.0 * kReferenceMargin;

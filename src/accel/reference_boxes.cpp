@@ -26,8 +26,7 @@ class RecordBuilder {
     RecordBuilder(const Lattice& usedLattice, const std::span<const std::uint32_t> usedIndices,
                   MetaTable& filledTable)
         : lattice(usedLattice), margin(referenceMargin(usedLattice)),
-          boxMargin(kReferenceBoxMargin / kReferenceMargin * margin), indices(usedIndices),
-          table(filledTable) {}
+          boxMargin(kBoxMargin / kReferenceMargin * margin), indices(usedIndices), table(filledTable) {}
 
     void run() {
         std::vector<std::uint32_t> records(table.leaves.size());

@@ -18,7 +18,7 @@ float roundUp(const double x) { return -roundDown(-x); }
 } // namespace
 
 Box boxOf(const Lattice& lattice, const TriangleRecord& triangle) {
-    const glm::dvec3 margin = referenceMargin(lattice);
+    const glm::dvec3 margin = kBoxMargin / kReferenceMargin * referenceMargin(lattice);
     const glm::dvec3 a = toLattice(lattice, triangle.v0);
     const glm::dvec3 b = toLattice(lattice, triangle.v1);
     const glm::dvec3 c = toLattice(lattice, triangle.v2);

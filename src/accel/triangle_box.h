@@ -18,7 +18,7 @@ struct Box {
     }
 };
 
-// Returns the triangle's box, grown by the lattice's referenceMargin.
+// Returns the triangle's box, grown by kBoxMargin.
 Box boxOf(const Lattice& lattice, const TriangleRecord& triangle);
 
 // The corners of a box in single precision, rounded outwards.

@@ -2,6 +2,8 @@
 #include "fixtures/shapes.h"
 #include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/accel/bvh.h"
+#include "metamarch/accel/lattice.h"
+#include "metamarch/accel/triangle_box.h"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,27 @@ TEST(Bvh, splitsWhereBothChildrenAreCheap) {
     const Bvh bvh = buildBvh(structure.lattice, makeTriangleRecords(scene, nonDegenerateTriangles(scene)));
     EXPECT_EQ(trianglesBelow(bvh, bvh.nodes[0].child0), 24u);
     EXPECT_EQ(trianglesBelow(bvh, bvh.nodes[0].child1), 16u);
+}
+
+// src/accel/README.md sums up to 87 half-ulps of the longest side, on a device that truncates and divides
+// roughly.
+TEST(Bvh, boxesHaveRoomForEveryError) {
+    Scene scene;
+    addTriangle(scene, {1, 2, 3}, {7, 3, 4}, {2, 5, 3.5f});
+    addTriangle(scene, {90, 1, 1}, {91, 2, 1}, {90, 3, 2});
+    const Lattice lattice = buildAccelerationStructure(scene, {}).lattice;
+    const glm::dvec3 longestSide = referenceMargin(lattice) / kReferenceMargin;
+    const glm::dvec3 room = 87.0 * 0x1p-24 * longestSide;
+    for (const TriangleRecord& triangle : makeTriangleRecords(scene, nonDegenerateTriangles(scene))) {
+        const Box box = boxOf(lattice, triangle);
+        for (const vec3 vertex : {triangle.v0, triangle.v1, triangle.v2}) {
+            const glm::dvec3 at = toLattice(lattice, vertex);
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_LE(box.lo[axis], at[axis] - room[axis]);
+                EXPECT_GE(box.hi[axis], at[axis] + room[axis]);
+            }
+        }
+    }
 }
 
 } // namespace
