@@ -88,8 +88,7 @@ void addVersion12Properties(DeviceReport& report, const vk::raii::PhysicalDevice
     report.compilesBranchesSlowly = isSwiftShader;
     // It keeps the CPU's bits without modes. With one it forgets the stack of kd_short_stack.
     report.failsWithFloatModes = isSwiftShader;
-    // A lane that has left a loop computes what it last computed there again, for each turn of the others. It
-    // comes to the same, but for loads from storage buffers: these are 0, because the lane is off.
+    // Lanes that have left a loop lose what they have loaded in it (shaders/MEASURED.md).
     report.failsWithStorageBuffers = isSwiftShader;
     report.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
     report.maxMemoryAllocationSize =
