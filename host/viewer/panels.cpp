@@ -235,6 +235,8 @@ void drawPanels(ViewerState& state) {
         return;
     }
     ImGui::PushItemWidth(15.0f * text);
+    // Tab shows and hides the panel. It must not put the keyboard into a field, which would take all keys.
+    ImGui::PushAllowKeyboardFocus(false);
     if (header("Renderer", true)) {
         drawRenderer(state);
     }
@@ -264,6 +266,7 @@ void drawPanels(ViewerState& state) {
     if (!state.messages.empty() && header("Messages", true)) {
         listMessages(state);
     }
+    ImGui::PopAllowKeyboardFocus();
     ImGui::PopItemWidth();
     ImGui::End();
 }
