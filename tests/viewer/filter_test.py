@@ -27,6 +27,7 @@ class FilterTest(PanelTest):
             viewer.key("comma")
             viewer.settle()
             viewer.wait_until("the first samples", lambda: self.samples(viewer) >= FIRST)
+            viewer.settle()  # until then the screen may show the preview
             picture = viewer.screenshot()[2]
             return picture if self.samples(viewer) <= LAST else None
 

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
 """The panel of a window: where its sections and controls are, and how a user sets them."""
+import time
+
 from display import LEFT
 from viewer import ViewerTest
 
 # Dear ImGui's measures with its own font, in pixels.
 BAR, CONTROL, TEXT = 23, 23, 17  # the height of a section's header, of a line with a control, of a line of text
 MIDDLE = 9  # of a header or control, from its top
+# Seconds. Dear ImGui takes one change of a key or button a frame, so it is some frames behind the keys of settle, which
+# the program takes at once.
+BEHIND = 1.0
 
 
 class PanelTest(ViewerTest):
@@ -27,6 +32,7 @@ class PanelTest(ViewerTest):
                      lambda: viewer.display.move(viewer.window, *end), lambda: viewer.display.release(LEFT)):
             step()
             viewer.settle()
+        time.sleep(BEHIND)
 
     def click(self, viewer, x, y):
         self.slide(viewer, (x, y), (x, y))
