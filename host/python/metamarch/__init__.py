@@ -317,7 +317,7 @@ class Tracer:
 
     >>> scene = from_arrays([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
     >>> hits = Tracer(scene).trace([(0.25, 0.5, 2)], [(0, 0, -1)])
-    >>> hits.t[0], hits.triangle[0], hits.uv[0].tolist()
+    >>> float(hits.t[0]), int(hits.triangle[0]), hits.uv[0].tolist()
     (2.0, 0, [0.25, 0.5])
     """
 
