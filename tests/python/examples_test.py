@@ -3,8 +3,10 @@
 import base64
 import doctest
 import importlib
+import inspect
 import json
 import os
+import re
 import sys
 import unittest
 
@@ -101,6 +103,16 @@ class Examples(program.ProgramTest):
         self.addCleanup(os.chdir, before)
         result = doctest.testmod(metamarch, optionflags=doctest.NORMALIZE_WHITESPACE)
         self.assertEqual((result.failed, result.attempted > 10), (0, True))
+
+    def test_everything_that_is_called_has_an_example(self):
+        files = (program.SOURCE / "host/python/examples").glob("*.py")
+        text = "\n".join(file.read_text() for file in files)
+        text += "\n".join(one.source for test in doctest.DocTestFinder().find(metamarch) for one in test.examples)
+        called = [name for name in metamarch.__all__ if inspect.isfunction(getattr(metamarch, name))]
+        self.assertEqual([name for name in called if not re.search(rf"\b{name}\(", text)], [])
+        members = [name for kind in ("Film", "Scene", "Tracer") for name in vars(getattr(metamarch, kind))
+                   if not name.startswith("_")]
+        self.assertEqual([name for name in members if not re.search(rf"\.{name}\b", text)], [])
 
 
 if __name__ == "__main__":

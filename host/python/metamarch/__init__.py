@@ -95,7 +95,7 @@ class MeshInstance(NamedTuple):
 
 
 class Hits(NamedTuple):
-    """What N rays hit first."""
+    """What N rays hit first, see Tracer."""
     t: NDArray[np.float32]  # (N,), in lengths of the direction; inf for a miss
     triangle: NDArray[np.int32]  # (N,), row of Scene.triangles; -1 for a miss
     uv: NDArray[np.float32]  # (N, 2), barycentric weights of the second and the third corner
@@ -125,7 +125,28 @@ class Mesh:
 
 class Scene:
     """A scene in memory, by load(), from_arrays() or from_meshes(). It keeps its acceleration structure, its light and
-    its copy on a device for the next picture. Several threads may use it at the same time."""
+    its copy on a device for the next picture. Several threads may use it at the same time.
+
+    What the file holds:
+
+    >>> scene = load("scenes/cornell.glb")
+    >>> scene
+    <metamarch.Scene: 32 triangles, 4 materials>
+    >>> scene.materials[0], scene.meshes[0].name, scene.cameras[0].projection
+    (Material(name='white', triangles=26), 'room', 'perspective')
+    >>> scene.scenes, scene.variants, scene.animations, scene.lights
+    ([''], [], [], [])
+
+    Its geometry:
+
+    >>> lo, hi = scene.bounds
+    >>> bool((scene.positions >= lo).all() and (scene.positions <= hi).all())
+    True
+    >>> [array.shape[1] for array in (scene.positions, scene.normals, scene.uvs, scene.triangles)]
+    [3, 3, 2, 3]
+    >>> scene.materials[scene.triangle_material[0]].name, scene.meshes[scene.triangle_mesh[0]].name
+    ('white', 'room')
+    """
 
     def __init__(self, native: _native.Scene) -> None:
         self._native = native
@@ -219,7 +240,30 @@ class Scene:
 
 
 class Film:
-    """A picture. Its arrays are not copies, and cannot be written."""
+    """A picture. Its arrays are not copies, and cannot be written.
+
+    >>> film = render(load("scenes/cornell.glb"), size=(16, 12), spp=2, aov=("Z", "N"), backend="cpu")
+    >>> film
+    <metamarch.Film: 16 x 12, 2 samples, cpu>
+    >>> film.channels
+    ['R', 'G', 'B', 'A', 'Z', 'N.X', 'N.Y', 'N.Z']
+    >>> film["Z"].shape, film["N"].shape, film.rgb.shape, film.rgba8(tone_map="agx").dtype, "id.mesh" in film
+    ((12, 16), (12, 16, 3), (12, 16, 3), dtype('uint8'), False)
+    >>> film.size, film.samples, film.is_complete, film.device, film.driver
+    ((16, 12), 2, True, 'cpu', 'metamarch')
+    >>> f"{film.traversal} took {film.seconds} s"  # doctest: +ELLIPSIS
+    '... took ... s'
+
+    Where a point of the world is in the picture:
+
+    >>> scene = load("scenes/cornell.glb")
+    >>> x, y, z, w = film.world_to_ndc @ (*np.mean(scene.bounds, axis=0), 1)
+    >>> round(float(x / w), 2), round(float(y / w), 2)
+    (0.5, 0.5)
+    >>> x, y, z, w = film.world_to_camera @ (*scene.cameras[0].eye, 1)
+    >>> bool(abs(z) < 1e-5)
+    True
+    """
 
     def __init__(self, native: _native.Film) -> None:
         self._native = native
@@ -257,6 +301,13 @@ class Film:
     def save(self, path: str | os.PathLike[str], **options: Unpack[SaveOptions]) -> None:
         """Writes the picture as `metamarch render` does, with the same bytes: .exr (all channels), .png, .jpg, .webp or
         .tif. The file appears whole or not at all.
+
+        >>> import pathlib, tempfile
+        >>> film = render(load("scenes/cornell.glb"), size=(4, 4), spp=1, backend="cpu")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     film.save(pathlib.Path(folder) / "cornell.exr", half=True)
+        ...     compare(pathlib.Path(folder) / "cornell.exr", film, max_abs=0.01).passed
+        True
 
         Options:
         """
@@ -376,6 +427,12 @@ def load(scene: str | os.PathLike[str] | bytes, *, name: str = "bytes", **option
 
     An untrusted file is refused with one line: InputRefused. Warnings are of the class SceneWarning.
 
+    >>> load("scenes/cornell.glb", scale=0.01)
+    <metamarch.Scene: 32 triangles, 4 materials>
+    >>> load(b"nothing", name="upload.glb")  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    metamarch.InputRefused: upload.glb: not glTF: ...
+
     Options:
     """
     words = words_of("load", LOAD, options)
@@ -388,7 +445,13 @@ def load(scene: str | os.PathLike[str] | bytes, *, name: str = "bytes", **option
 
 
 def from_meshes(meshes: Iterable[Mesh], **options: Unpack[LoadOptions]) -> Scene:
-    """Makes a scene of meshes in memory. Options are those of load()."""
+    """Makes a scene of meshes in memory. Options are those of load().
+
+    >>> corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    >>> scene = from_meshes([Mesh(corners, name="left"), Mesh([(x + 2, y, z) for x, y, z in corners], name="right")])
+    >>> [mesh.name for mesh in scene.meshes]
+    ['left', 'right']
+    """
     native = _native.Scene("meshes", glb_of(list(meshes)), words_of("from_meshes", LOAD, options))
     _warn(native.warnings)
     return Scene(native)
@@ -421,6 +484,11 @@ def render(scene: Scene, **options: Unpack[RenderOptions]) -> Film:
 
     Without `backend` a Vulkan device renders where there is one, otherwise the processor; Film.device says which. On
     lavapipe and on the processor the pictures are equal to the bit.
+
+    >>> scene = load("scenes/cornell.glb")
+    >>> white = render(scene, camera=scene.cameras[0], size=(4, 4), integrator="ao", backend="cpu")
+    >>> white.device, white.samples
+    ('cpu', 64)
 
     Options:
     """
@@ -475,6 +543,9 @@ def compare(a: Film | ArrayLike | str | os.PathLike[str], b: Film | ArrayLike | 
 
     >>> bool(compare([[0.5, 1.0]], [[0.5, 1.25]], max_abs=0.25))
     True
+    >>> comparison = compare([[0.5, 1.0]], [[0.5, 1.25]])
+    >>> comparison.passed, comparison.failing_pixels, comparison.channels["Y"].worst
+    (False, 1, (1, 0))
     """
     report = _native.compare(_image(a), _image(b), max_abs, max_fail_percent)
     report["channels"] = {channel["name"]: ChannelComparison(**channel) for channel in report["channels"]}
