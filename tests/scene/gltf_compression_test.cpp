@@ -38,19 +38,38 @@ int addAttribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::
     return mesh.AddAttribute(std::make_unique<draco::PointAttribute>(std::move(attribute)));
 }
 
-// Returns two triangles without loss: sequential encoding and no quantisation.
-std::vector<char> dracoBytes(int& positionId, int& colorId) {
+const std::vector<glm::vec3> kNormals = {{0, 0, 1}, {0, 0, 1}, {0.6f, 0, -0.8f}, {-1, 0, 0}};
+
+// The ids of Draco's attributes.
+struct DracoIds {
+    int position = 0;
+    int color = 0;
+    int normal = 0;
+};
+
+// Returns two triangles by sequential encoding, with so many bits for coordinates. Without bits nothing is
+// lost, and there are no normals.
+std::vector<char> dracoBytes(DracoIds& ids, const int bits) {
     draco::Mesh mesh;
     mesh.set_num_points(4);
     const int position =
         addAttribute(mesh, draco::GeometryAttribute::POSITION, draco::DT_FLOAT32, &kPositions[0].x);
     const int color = addAttribute(mesh, draco::GeometryAttribute::COLOR, draco::DT_UINT8, kColors.data());
-    positionId = static_cast<int>(mesh.attribute(position)->unique_id());
-    colorId = static_cast<int>(mesh.attribute(color)->unique_id());
+    ids.position = static_cast<int>(mesh.attribute(position)->unique_id());
+    ids.color = static_cast<int>(mesh.attribute(color)->unique_id());
+    if (bits != 0) {
+        const int normal =
+            addAttribute(mesh, draco::GeometryAttribute::NORMAL, draco::DT_FLOAT32, &kNormals[0].x);
+        ids.normal = static_cast<int>(mesh.attribute(normal)->unique_id());
+    }
     mesh.AddFace({draco::PointIndex(0), draco::PointIndex(1), draco::PointIndex(2)});
     mesh.AddFace({draco::PointIndex(0), draco::PointIndex(2), draco::PointIndex(3)});
     draco::Encoder encoder;
     encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
+    if (bits != 0) {
+        encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, bits);
+        encoder.SetAttributeQuantization(draco::GeometryAttribute::NORMAL, bits);
+    }
     draco::EncoderBuffer buffer;
     EXPECT_TRUE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
     return {buffer.data(), buffer.data() + buffer.size()};
@@ -58,10 +77,9 @@ std::vector<char> dracoBytes(int& positionId, int& colorId) {
 
 class DracoFile : public GltfFile {
   public:
-    DracoFile() {
-        int positionId = 0;
-        int colorId = 0;
-        bytes = dracoBytes(positionId, colorId);
+    explicit DracoFile(const int bits = 0) {
+        DracoIds ids;
+        bytes = dracoBytes(ids, bits);
         primitive()["attributes"] = {
             {"POSITION", addAccessor({{"componentType", kFloat}, {"count", 4}, {"type", "VEC3"}})},
             {"COLOR_0",
@@ -70,7 +88,12 @@ class DracoFile : public GltfFile {
         primitive()["indices"] =
             addAccessor({{"componentType", kUnsignedShort}, {"count", 6}, {"type", "SCALAR"}});
         extension() = {{"bufferView", addView(bytes)},
-                       {"attributes", {{"POSITION", positionId}, {"COLOR_0", colorId}}}};
+                       {"attributes", {{"POSITION", ids.position}, {"COLOR_0", ids.color}}}};
+        if (bits != 0) {
+            primitive()["attributes"]["NORMAL"] =
+                addAccessor({{"componentType", kFloat}, {"count", 4}, {"type", "VEC3"}});
+            extension()["attributes"]["NORMAL"] = ids.normal;
+        }
         root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     }
 
@@ -88,6 +111,22 @@ TEST(GltfDraco, DecodesToWhatWasEncoded) {
     EXPECT_EQ(scene.colors[1], glm::vec4(0, 1, 0, 1));
     EXPECT_EQ(scene.colors[3], glm::vec4(0.2f, 0.2f, 0.2f, 1));
     EXPECT_TRUE(scene.warnings.empty());
+}
+
+// The bits are those of one rounding for each operation.
+TEST(GltfDraco, QuantizedCoordinates) {
+    for (const int bits : {2, 5, 8, 11, 14, 16}) {
+        DracoFile file(bits);
+        const Scene scene = file.load();
+        const auto steps = static_cast<float>((1 << bits) - 1);
+        const float step = 1.0f / steps;
+        ASSERT_EQ(scene.positions.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_EQ(scene.positions[i], glm::floor(kPositions[i] * steps + 0.5f) * step) << bits;
+            EXPECT_LT(glm::distance(scene.normals[i], kNormals[i]), 3.0f / steps + 1e-6f) << bits;
+            EXPECT_NEAR(glm::length(scene.normals[i]), 1.0f, 1e-6f);
+        }
+    }
 }
 
 TEST(GltfDraco, MeshOfTwoNodesAndPlainNeighbours) {
@@ -126,11 +165,11 @@ TEST(GltfDraco, WhatDoesNotFitIsRefused) {
 }
 
 // Data that is cut off or has flipped bits anywhere; ASan in the sanitizer build detects errors.
-TEST(GltfDraco, HostileBytes) {
-    DracoFile file;
+void expectHostileBytesAreRead(const int bits) {
+    DracoFile file(bits);
     std::size_t refused = 0;
     const auto load = [&](const std::vector<char>& bytes) {
-        DracoFile hostile;
+        DracoFile hostile(bits);
         hostile.extension()["bufferView"] = hostile.addView(bytes);
         try {
             hostile.load();
@@ -148,6 +187,9 @@ TEST(GltfDraco, HostileBytes) {
         load(bytes);
     }
 }
+
+TEST(GltfDraco, HostileBytes) { expectHostileBytesAreRead(0); }
+TEST(GltfDraco, HostileBytesOfQuantizedCoordinates) { expectHostileBytesAreRead(11); }
 
 #ifdef METAMARCH_MESHOPT
 

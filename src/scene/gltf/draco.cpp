@@ -6,6 +6,9 @@
 
 #include <array>
 #include <cstring>
+#include <draco/attributes/attribute_octahedron_transform.h>
+#include <draco/attributes/attribute_quantization_transform.h>
+#include <draco/compression/attributes/normal_compression_utils.h>
 #include <draco/compression/decode.h>
 #include <draco/mesh/mesh.h>
 #include <memory>
@@ -66,6 +69,61 @@ std::optional<std::vector<unsigned char>> valuesOf(int componentType, const drac
     }
 }
 
+// Returns the attribute whose values `toFloats` makes of the integers of each entry.
+template <class ToFloats>
+std::unique_ptr<draco::PointAttribute> converted(const draco::Mesh& mesh,
+                                                 const draco::PointAttribute& integers,
+                                                 const std::int8_t components, const ToFloats& toFloats) {
+    auto floats = std::make_unique<draco::PointAttribute>();
+    floats->Init(integers.attribute_type(), components, draco::DT_FLOAT32, false, integers.size());
+    if (!integers.is_mapping_identity()) {
+        floats->SetExplicitMapping(mesh.num_points());
+        for (draco::PointIndex point(0); point < mesh.num_points(); ++point) {
+            floats->SetPointMapEntry(point, integers.mapped_index(point));
+        }
+    }
+    std::vector<std::int32_t> from(static_cast<unsigned char>(integers.num_components()));
+    std::vector<float> to(static_cast<unsigned char>(components));
+    for (draco::AttributeValueIndex i(0); i < static_cast<std::uint32_t>(integers.size()); ++i) {
+        if (!integers.ConvertValue<std::int32_t>(i, from.data())) {
+            return nullptr;
+        }
+        toFloats(from, to);
+        floats->SetAttributeValue(i, to.data());
+    }
+    return floats;
+}
+
+// Returns the floats of an attribute that Draco has left as integers, as AttributeQuantizationTransform and
+// AttributeOctahedronTransform compute them; null if it holds its values. Draco as distributions compile it
+// fuses multiplications with additions where the processor can, so its floats differ between processors.
+std::unique_ptr<draco::PointAttribute> dequantized(const draco::Mesh& mesh,
+                                                   const draco::PointAttribute& integers) {
+    if (integers.GetAttributeTransformData() == nullptr) {
+        return nullptr;
+    }
+    using Integers = std::vector<std::int32_t>;
+    draco::AttributeQuantizationTransform steps;
+    if (steps.InitFromAttribute(integers)) {
+        const float step = steps.range() / static_cast<float>((1u << steps.quantization_bits()) - 1);
+        return converted(mesh, integers, static_cast<std::int8_t>(integers.num_components()),
+                         [&](const Integers& from, std::vector<float>& to) {
+                             for (std::size_t i = 0; i < to.size(); ++i) {
+                                 to[i] = static_cast<float>(from[i]) * step + steps.min_values()[i];
+                             }
+                         });
+    }
+    draco::AttributeOctahedronTransform octahedron;
+    draco::OctahedronToolBox directions;
+    if (integers.num_components() == 2 && octahedron.InitFromAttribute(integers) &&
+        directions.SetQuantizationBits(octahedron.quantization_bits())) {
+        return converted(mesh, integers, 3, [&](const Integers& from, std::vector<float>& to) {
+            directions.QuantizedOctahedralCoordsToUnitVector(from[0], from[1], to.data());
+        });
+    }
+    return nullptr;
+}
+
 class DracoPrimitive {
   public:
     // `accessors` is the number of accessors in the file, without those added for decoded data.
@@ -91,6 +149,9 @@ class DracoPrimitive {
         draco::DecoderBuffer buffer;
         buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         draco::Decoder decoder;
+        for (int type = 0; type < draco::GeometryAttribute::NAMED_ATTRIBUTES_COUNT; ++type) {
+            decoder.SetSkipAttributeTransform(static_cast<draco::GeometryAttribute::Type>(type));
+        }
         auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
         if (!decoded.ok()) {
             extension_.refuse("cannot be decoded: " + decoded.status().error_msg_string());
@@ -108,6 +169,8 @@ class DracoPrimitive {
         if (attribute == nullptr) {
             extension_.refuse(name + ": there is no attribute " + std::to_string(id));
         }
+        const std::unique_ptr<draco::PointAttribute> floats = dequantized(mesh, *attribute);
+        attribute = floats == nullptr ? attribute : floats.get();
         tinygltf::Accessor decoded = model_.accessors[index];
         if (attribute->num_components() !=
             tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(decoded.type))) {
