@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace metamarch {
@@ -85,6 +86,14 @@ TEST(MipLevels, keepTheMeanOfTheImage) {
     }
 }
 
+TEST(MipLevels, roundBytesToTheNearest) {
+    for (int i = 0; i <= 510; ++i) {
+        const float value = static_cast<float>(i) / 510.0f;
+        const std::uint32_t byte = bytesOf({1, 1, {glm::vec4(value)}}, false)[0] & 255u;
+        EXPECT_EQ(byte, static_cast<std::uint32_t>(std::lround(value * 255.0f))) << value;
+    }
+}
+
 // If half of the texels are white, the mean has half of the light, which is byte 188 and not 128.
 TEST(MipLevels, averageColoursInLinearLight) {
     const std::vector<MipLevel> levels = makeMipLevels(greyOf(2, {0, 255, 255, 0}), true, ColorWeight::equal);
@@ -114,7 +123,7 @@ TEST(MipLevels, roundColoursToTheNearestLight) {
     TextureImage bytes = imageOf(1, {glm::u8vec4(0)});
     const auto lightOf = [&](const std::uint32_t byte) {
         bytes.bytes[0] = glm::u8vec4(byte & 255u);
-        return linearTexel(bytes, 0, true).r;
+        return TexelReader(bytes, true)[0].r;
     };
     for (int i = -10; i <= 20010; ++i) {
         const float light = static_cast<float>(i) / 20000.0f;

@@ -32,21 +32,24 @@ Cover coverOf(const std::uint64_t i, const std::uint64_t from, const std::uint64
     return cover;
 }
 
-template <class TexelAt>
+// `Count` is the number of rows and of columns, as a constant, or 0 where the covers say it.
+template <std::uint32_t Count, class TexelAt>
 glm::vec4 meanOf(const Cover& columns, const Cover& rows, const ColorWeight weight, const TexelAt& texelAt) {
-    glm::vec3 sum(0.0f);
+    const std::uint32_t rowCount = Count != 0 ? Count : rows.count;
+    const std::uint32_t columnCount = Count != 0 ? Count : columns.count;
+    glm::vec4 sum(0.0f);
     glm::vec3 visible(0.0f);
-    float alpha = 0.0f;
-    for (std::uint32_t j = 0; j < rows.count; ++j) {
-        for (std::uint32_t i = 0; i < columns.count; ++i) {
+    for (std::uint32_t j = 0; j < rowCount; ++j) {
+        for (std::uint32_t i = 0; i < columnCount; ++i) {
             const float part = rows.weights[j] * columns.weights[i];
             const glm::vec4 texel = texelAt(columns.first + i, rows.first + j);
-            sum += part * glm::vec3(texel);
-            visible += part * texel.a * glm::vec3(texel);
-            alpha += part * texel.a;
+            sum += part * texel;
+            if (weight == ColorWeight::byAlpha) {
+                visible += part * texel.a * glm::vec3(texel);
+            }
         }
     }
-    return {weight == ColorWeight::byAlpha && alpha > 0.0f ? visible / alpha : sum, alpha};
+    return weight == ColorWeight::byAlpha && sum.a > 0.0f ? glm::vec4(visible / sum.a, sum.a) : sum;
 }
 
 template <class TexelAt>
@@ -59,10 +62,13 @@ MipLevel halve(const std::uint32_t width, const std::uint32_t height, const Colo
     for (std::uint32_t x = 0; x < level.width; ++x) {
         columns.push_back(coverOf(x, width, level.width));
     }
+    const bool isEven = width % 2 == 0 && height % 2 == 0;
     tbb::parallel_for(0u, level.height, [&](const std::uint32_t y) {
         const Cover rows = coverOf(y, height, level.height);
+        glm::vec4* const texels = &level.texels[std::size_t{y} * level.width];
         for (std::uint32_t x = 0; x < level.width; ++x) {
-            level.texels[std::size_t{y} * level.width + x] = meanOf(columns[x], rows, weight, texelAt);
+            texels[x] = isEven ? meanOf<2>(columns[x], rows, weight, texelAt)
+                               : meanOf<0>(columns[x], rows, weight, texelAt);
         }
     });
     return level;
@@ -92,10 +98,10 @@ std::vector<MipLevel> makeMipLevels(const TextureImage& image, const bool isSrgb
     levels.reserve(count);
     while (levels.size() + 1 < count) {
         if (levels.empty()) {
+            const TexelReader texels(image, isSrgb);
             levels.push_back(
-                halve(image.width, image.height, weight, [&](const std::size_t x, const std::size_t y) {
-                    return linearTexel(image, y * image.width + x, isSrgb);
-                }));
+                halve(image.width, image.height, weight,
+                      [&](const std::size_t x, const std::size_t y) { return texels[y * image.width + x]; }));
         } else {
             const MipLevel& last = levels.back();
             levels.push_back(

@@ -52,7 +52,12 @@ float unitLevelOf(const TextureImage& image, const glm::mat3x2& transform) {
 } // namespace
 
 TexelStore::TexelStore(const Scene& usedScene, const std::uint64_t chunkBytes, ShadingScene& usedTarget)
-    : scene(usedScene), chunkWords(chunkBytes / sizeof(std::uint32_t)), target(usedTarget) {}
+    : scene(usedScene), chunkWords(chunkBytes / sizeof(std::uint32_t)), target(usedTarget) {
+    for (const TextureImage& image : scene.images) {
+        // The smaller levels have a third of the image's texels.
+        wordsToCome += std::uint64_t{image.width} * image.height * (isDeep(image) ? 2 : 1) * 4 / 3 + 1;
+    }
+}
 
 std::optional<TexelPlace> TexelStore::place(const std::vector<std::uint32_t>& words) {
     const auto chunk = std::ranges::find_if(
@@ -62,7 +67,11 @@ std::optional<TexelPlace> TexelStore::place(const std::vector<std::uint32_t>& wo
     }
     const TexelPlace found{static_cast<std::uint32_t>(chunk - target.texels.begin()),
                            static_cast<std::uint32_t>(chunk->size())};
+    if (chunk->empty()) { // a chunk that grows would be copied
+        chunk->reserve(std::min(chunkWords, wordsToCome));
+    }
     chunk->insert(chunk->end(), words.begin(), words.end());
+    wordsToCome -= std::min<std::uint64_t>(wordsToCome, words.size());
     return found;
 }
 
@@ -160,9 +169,10 @@ glm::vec4 TexelStore::meanOf(const TextureRef& ref) const {
     }
     const TextureImage& image = scene.images[scene.textures[ref.texture].image];
     const std::size_t count = std::max(image.bytes.size(), image.floats.size());
+    const TexelReader texels(image, ref.isSrgb);
     glm::dvec4 sum(0.0);
     for (std::size_t i = 0; i < count; ++i) {
-        sum += linearTexel(image, i, ref.isSrgb);
+        sum += texels[i];
     }
     return glm::vec4(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
 }

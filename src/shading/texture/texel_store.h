@@ -44,6 +44,7 @@ class TexelStore {
 
     const Scene& scene;
     std::uint64_t chunkWords;
+    std::uint64_t wordsToCome = 0; // about so many words are not placed yet
     ShadingScene& target;
     std::map<std::uint32_t, TexelPlace> places; // indexed by image
     std::map<Pyramid, std::vector<TextureLevel>> pyramids;

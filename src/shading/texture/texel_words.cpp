@@ -13,16 +13,19 @@
 namespace metamarch {
 namespace {
 
-// Returns the linear values of the 256 sRGB bytes in ascending order.
-const std::array<float, 256>& decodedBytes() {
-    static const std::array<float, 256> kDecoded = [] {
-        std::array<float, 256> decoded{};
-        for (std::size_t i = 0; i < decoded.size(); ++i) {
-            decoded[i] = srgbToLinear(glm::vec3(static_cast<float>(i) / 255.0f)).x;
+using ByteValues = std::array<float, 256>;
+
+// Returns the values of the 256 bytes in ascending order, in linear light.
+const ByteValues& valuesOfBytes(const bool isSrgb) {
+    static const std::array<ByteValues, 2> kValues = [] {
+        std::array<ByteValues, 2> values{};
+        for (std::size_t i = 0; i < values[0].size(); ++i) {
+            values[0][i] = static_cast<float>(i) / 255.0f;
+            values[1][i] = srgbToLinear(glm::vec3(values[0][i])).x;
         }
-        return decoded;
+        return values;
     }();
-    return kDecoded;
+    return kValues[isSrgb ? 1 : 0];
 }
 
 // Returns, for each part of [0, 1], the first byte whose linear value is not below the part's begin.
@@ -32,8 +35,8 @@ const std::array<std::uint8_t, kGuides>& firstBytes() {
         std::array<std::uint8_t, kGuides> first{};
         for (std::size_t i = 0; i < kGuides; ++i) {
             const float begin = static_cast<float>(i) / kGuides;
-            const auto above = std::ranges::lower_bound(decodedBytes(), begin);
-            first[i] = static_cast<std::uint8_t>(above - decodedBytes().begin());
+            const auto above = std::ranges::lower_bound(valuesOfBytes(true), begin);
+            first[i] = static_cast<std::uint8_t>(above - valuesOfBytes(true).begin());
         }
         return first;
     }();
@@ -48,7 +51,7 @@ std::uint32_t srgbByte(const float linear) {
     if (linear >= 1.0f) {
         return 255;
     }
-    const auto& decoded = decodedBytes();
+    const ByteValues& decoded = valuesOfBytes(true);
     std::uint32_t above = firstBytes()[static_cast<std::size_t>(linear * kGuides)];
     while (above < 255 && decoded[above] < linear) {
         ++above;
@@ -58,7 +61,8 @@ std::uint32_t srgbByte(const float linear) {
 }
 
 std::uint32_t plainByte(const float value) {
-    return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+    // A double holds the sum of a float and a half, so this rounds as std::lround does, without a call.
+    return static_cast<std::uint32_t>(double{std::clamp(value, 0.0f, 1.0f) * 255.0f} + 0.5);
 }
 
 std::uint32_t packed(const glm::uvec4 bytes) {
@@ -79,29 +83,21 @@ std::vector<std::uint32_t> halves(const std::vector<glm::vec4>& texels) {
 
 } // namespace
 
-glm::vec4 linearTexel(const TextureImage& image, const std::size_t i, const bool isSrgb) {
-    if (isDeep(image)) {
-        const glm::vec4 texel = image.floats[i];
-        return isSrgb ? glm::vec4(srgbToLinear(glm::vec3(texel)), texel.a) : texel;
-    }
-    const glm::u8vec4 texel = image.bytes[i];
-    const glm::vec4 plain = glm::vec4(texel) / 255.0f;
-    if (!isSrgb) {
-        return plain;
-    }
-    const auto& decoded = decodedBytes();
-    return {decoded[texel.r], decoded[texel.g], decoded[texel.b], plain.a};
+TexelReader::TexelReader(const TextureImage& usedImage, const bool isSrgb)
+    : image(usedImage), hasSrgb(isSrgb), colors(valuesOfBytes(isSrgb)), alphas(valuesOfBytes(false)) {}
+
+glm::vec4 TexelReader::deepTexel(const std::size_t i) const {
+    const glm::vec4 texel = image.floats[i];
+    return hasSrgb ? glm::vec4(srgbToLinear(glm::vec3(texel)), texel.a) : texel;
 }
 
 std::vector<std::uint32_t> wordsOf(const TextureImage& image) {
     if (isDeep(image)) {
         return halves(image.floats);
     }
-    std::vector<std::uint32_t> words;
-    words.reserve(image.bytes.size());
-    for (const glm::u8vec4 texel : image.bytes) {
-        words.push_back(packed(glm::uvec4(texel)));
-    }
+    std::vector<std::uint32_t> words(image.bytes.size());
+    std::ranges::transform(image.bytes, words.begin(),
+                           [](const glm::u8vec4 texel) { return packed(glm::uvec4(texel)); });
     return words;
 }
 
