@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiles GLSL to SPIR-V at run time with glslang, as the build does.
+// Compiles GLSL to SPIR-V at run time with glslang, as the build does, but without spirv-opt.
 #pragma once
 #include "metamarch/shaders/shader_library.h"
 

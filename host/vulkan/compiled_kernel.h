@@ -17,7 +17,7 @@ namespace metamarch::vulkan {
 
 // Everything that a kernel is compiled from.
 struct KernelSource {
-    std::vector<uint32_t> spirv;                     // as glslang has made it
+    std::vector<uint32_t> spirv;                     // as the build has made it
     std::map<uint32_t, vk::DescriptorType> bindings; // of set 0
     uint32_t pushConstantSize = 0;
     std::map<uint32_t, uint32_t> specialization;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The SPIR-V that the program holds, judged by the validator of Khronos.
+#include "fixtures/optimized_path_tracer.h"
 #include "metamarch/shaders/shader_library.h"
 #include "metamarch/shared/features.h"
 #include "metamarch/shared/shading_layout.h"
@@ -52,6 +53,14 @@ TEST(Spirv, isJudgedByAValidatorThatFindsFaults) {
     std::vector<uint32_t> cut(words.begin(), words.end());
     cut.pop_back();
     EXPECT_NE(faultsOf(cut), "");
+}
+
+TEST(Spirv, ofThePathTracerIsOptimized) {
+    for (const Shader& shader : shaders()) {
+        if (shader.kernel == "path") {
+            EXPECT_EQ(optimizedPathTracer(shader.spirv).size(), shader.spirv.size()) << shader.traversal;
+        }
+    }
 }
 
 // glslang 12's search for what a `precise` reaches may never end: withExactFloats decorates instead.
