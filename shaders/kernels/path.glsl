@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The path tracer, one invocation per pixel. Each turn of the loop takes a path to its next surface. When a
 // path ends, the pixel's next sample begins in the same turn, so that no invocation waits for its neighbours'
-// longer paths, and the state of a path never leaves the registers. On a processor there are no such
+// longer paths, and the state of a path never leaves the registers. The judge on the CPU has no such
 // neighbours: src/reference/path.cpp has a plain loop over the surfaces of one sample. shared/path.h has the
 // code of a turn that both share.
 #include "lib/shading.glsl"

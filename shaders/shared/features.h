@@ -64,10 +64,11 @@ inline bool hasFeature(const uint feature) { return (SHADING_FEATURES & feature)
 #endif
 
 // Returns whether to compute a part of the model that this material needs or not. The CPU has no
-// specialization and skips what a material lacks. A kernel computes it for all lanes, because llvmpipe
-// executes both sides of a branch. The result is the same to the bit.
+// specialization and skips what a material lacks, and so do kernels that the processor executes
+// (shaders/processor). Other kernels compute it for all lanes, because llvmpipe executes both sides of a
+// branch. The result is the same to the bit.
 SHARED_FN bool isComputed(const bool isNeeded) {
-#ifdef __cplusplus
+#if defined(__cplusplus) || defined(METAMARCH_PROCESSOR)
     return isNeeded;
 #else
     return true;

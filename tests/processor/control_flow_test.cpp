@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// A kernel that `translate` has made computes what its source computes as C++.
+#include "control_flow.h"
+#include "metamarch/processor/kernel_input.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace metamarch {
+
+void control_flow(const KernelInput& input);
+
+namespace tests {
+namespace {
+
+constexpr std::uint32_t kSize = 64; // of a workgroup
+constexpr std::uint32_t kUntouched = 0x12345678u;
+
+TEST(Translate, lanesComputeWhatTheSourceSays) {
+    std::vector<std::uint32_t> given(std::size_t{kSize} * 1024);
+    for (std::uint32_t i = 0; i < given.size(); ++i) {
+        given[i] = i % 7 == 3 ? 0xffffffffu : i < 1000 ? i : i * 2654435761u >> (i % 23);
+    }
+    std::vector<glm::uvec4> results(given.size(), glm::uvec4(kUntouched));
+    std::vector<glm::uvec2> more(given.size(), glm::uvec2(kUntouched));
+    std::uint32_t sum = 5;
+    KernelInput input{};
+    input.buffers[0] = reinterpret_cast<char*>(given.data());
+    input.buffers[1] = reinterpret_cast<char*>(results.data());
+    input.buffers[2] = reinterpret_cast<char*>(more.data());
+    input.buffers[3] = reinterpret_cast<char*>(&sum);
+    input.invocations = kSize;
+    for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
+        control_flow(input);
+    }
+
+    std::uint32_t expectedSum = 5;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const std::uint32_t x = given[i];
+        if (x == 0xffffffffu) {
+            ASSERT_EQ(results[i], glm::uvec4(kUntouched)) << "lanes that return write nothing";
+            continue;
+        }
+        ASSERT_EQ(results[i].x, early(x)) << x;
+        ASSERT_EQ(results[i].y, turns(x)) << x;
+        ASSERT_EQ(results[i].z, nested(x)) << x;
+        ASSERT_EQ(results[i].w, structs(x)) << x;
+        ASSERT_EQ(more[i].x, numbers(x)) << x;
+        expectedSum += x;
+    }
+    EXPECT_EQ(sum, expectedSum);
+}
+
+// GLM's function keeps no NaN; IEEE 754's value of each half is written out here.
+TEST(Translate, halvesHaveTheirValues) {
+    std::vector<std::uint32_t> given(0x10000);
+    for (std::uint32_t i = 0; i < given.size(); ++i) {
+        given[i] = i;
+    }
+    std::vector<glm::uvec4> results(given.size());
+    std::vector<glm::uvec2> more(given.size());
+    std::uint32_t sum = 0;
+    KernelInput input{};
+    input.buffers[0] = reinterpret_cast<char*>(given.data());
+    input.buffers[1] = reinterpret_cast<char*>(results.data());
+    input.buffers[2] = reinterpret_cast<char*>(more.data());
+    input.buffers[3] = reinterpret_cast<char*>(&sum);
+    input.invocations = kSize;
+    for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
+        control_flow(input);
+    }
+    const auto bitsOf = [](const std::uint32_t half) {
+        const int exponent = static_cast<int>(half >> 10 & 31u);
+        const auto mantissa = static_cast<float>(half & 1023u);
+        const float value = exponent == 31  ? std::numeric_limits<float>::infinity()
+                            : exponent == 0 ? std::ldexp(mantissa, -24)
+                                            : std::ldexp(mantissa + 1024.0f, exponent - 25);
+        return floatBitsToUint(value) | (half & 0x8000u) << 16;
+    };
+    for (std::uint32_t half = 0; half < given.size(); ++half) {
+        if ((half & 0x7c00u) == 0x7c00u && (half & 1023u) != 0) {
+            continue; // NaN
+        }
+        ASSERT_EQ(more[half].y, bitsOf(half) ^ (bitsOf(half ^ 0x8000u) * 3u)) << half;
+    }
+}
+
+} // namespace
+} // namespace tests
+} // namespace metamarch
