@@ -209,12 +209,13 @@ void declareRender(SettingList& settings, RenderOptions& options) {
     declareTone(settings, options.tone);
     settings.beginGroup("Device");
     settings.choice("backend", options.backend, kBackends,
-                    "gpu: Vulkan compute; cpu: the reference, a kd-tree walk");
+                    "gpu: Vulkan compute; cpu: the same kernel on the processor, without Vulkan");
     declareDevice(settings, options.device);
     declareThreads(settings, options.threads);
     declareTraversal(settings, "traversal", options.traversal,
-                     fmt::format("How rays find triangles (default {}, or what marches --table): {}",
-                                 traversals().front(), fmt::join(traversals(), " ")));
+                     fmt::format("How rays find triangles (default {}, or what marches --table; with "
+                                 "--backend cpu {} or kd_stack): {}",
+                                 traversals().front(), traversals().front(), fmt::join(traversals(), " ")));
     declareIntegrator(settings, options.path, std::size(kIntegrators));
     declarePath(settings, options.path, options.samplesPerPixel);
     settings
@@ -251,10 +252,11 @@ render::RenderSettings settingsOf(const RenderOptions& options) {
 }
 
 void checkArguments(const RenderOptions& options) {
-    if (options.backend == Backend::cpu && !(options.device.empty() && options.traversal.empty())) {
-        throw Error(ErrorKind::invalidArgument,
-                    "the cpu walks the kd-tree with a stack; a device and a traversal are for the gpu",
-                    {"backend", "device", "traversal"});
+    if (options.backend == Backend::cpu) {
+        if (!options.device.empty()) {
+            throw Error(ErrorKind::invalidArgument, "a device is for the gpu", {"backend", "device"});
+        }
+        render::traversalOnCpu(options.path.integrator == Integrator::primary, options.traversal);
     }
     checkRun(options);
     checkCatcher(options);

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/path_sampler.h"
 
+#include "metamarch/accel/structure.h"
 #include "metamarch/error/error.h"
 #include "metamarch/reference/path.h"
+#include "metamarch/vulkan/byte_text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace metamarch::render {
@@ -30,8 +37,8 @@ bool hasSamples(const FilmData& film) {
 // active pretend to have a whole block meanwhile, so that nothing is taken for them. Without flags all are
 // active.
 template <class Take>
-bool takeBlock(PathSums& sums, const std::vector<std::uint8_t>& active, const std::uint32_t endSample,
-               const Take& take) {
+bool takeActive(PathSums& sums, const std::vector<std::uint8_t>& active, const std::uint32_t endSample,
+                const Take& take) {
     beginBlock(sums, endSample);
     if (active.empty()) {
         return take(sums.block);
@@ -72,15 +79,141 @@ FilmData takeSamples(PathSampler& sampler, const std::uint32_t endSample) {
     return std::move(sums.earlier);
 }
 
-CpuPathSampler::CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene,
-                               const PathWork& work)
-    : structure_(structure), scene_(scene), work_(work), sums_(noSums(work, 0)) {}
-
-bool CpuPathSampler::take(const std::uint32_t endSample, const OnProgress& onProgress) {
-    return takeBlock(sums_, active_, endSample, [&](FilmData& block) {
-        return takeBlockOnCpu(structure_, scene_, work_.settings, work_.camera, work_.area, sums_.blockFirst,
-                              endSample - sums_.blockFirst, work_.request, block, onProgress);
+bool HostPathSampler::take(const std::uint32_t endSample, const OnProgress& onProgress) {
+    return takeActive(sums_, active_, endSample, [&](FilmData& block) {
+        return takeBlock(sums_.blockFirst, endSample - sums_.blockFirst, block, onProgress);
     });
+}
+
+bool JudgePathSampler::takeBlock(const std::uint32_t first, const std::uint32_t samples, FilmData& block,
+                                 const OnProgress& onProgress) {
+    return takeBlockOnCpu(structure_, scene_, work().settings, work().camera, work().area, first, samples,
+                          work().request, block, onProgress);
+}
+
+CpuPathSampler::CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene,
+                               const PathWork& work, const Kernel kernel)
+    : HostPathSampler(work), arrays_(scene), input_{work.camera,   work.settings,     work.area.left,
+                                                    work.area.top, work.area.width(), work.area.height()},
+      tiling_(work.area) {
+    // The kernel writes only to the film, which takeTile() binds.
+    const auto bind = [&](const std::uint32_t binding, const std::span<const std::byte> data) {
+        static constexpr std::array<std::byte, sizeof(TriangleRecord)> kNone{};
+        // Lanes count bytes in 32 bits.
+        if (data.size() > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(
+                ErrorKind::outOfMemory,
+                fmt::format("an array of the scene takes {}, more than the 4 GiB that the cpu's kernel "
+                            "reads; kd_stack reads more",
+                            vulkan::byteText(data.size())),
+                {"traversal"});
+        }
+        const std::byte* const first = data.empty() ? kNone.data() : data.data();
+        shared_.buffers[binding] = const_cast<char*>(reinterpret_cast<const char*>(first));
+    };
+    const StructureSet set(structure);
+    const Structure& walked = findStructure("meta_table");
+    for (const StructurePart& part : walked.parts) {
+        bind(part.binding, part.data(set));
+    }
+    bind(kBindTriangles, std::as_bytes(walked.triangles(set)));
+    bind(kBindLattice, std::as_bytes(std::span(&structure.lattice, 1)));
+    for (const ShadingArray& array : arrays_.arrays()) {
+        bind(array.binding, array.data);
+    }
+    bind(kBindInput, std::as_bytes(std::span(&input_, 1)));
+    const std::uint32_t features = scene.features | cameraFeatures(work.camera);
+    shared_.constants[kSpecFeatures] = features;
+    shared_.constants[kSpecFilm] = work.request.parts;
+    shared_.invocations = kTilePixels;
+    kernel_ = kernel != nullptr ? kernel : pathKernels(features).front().run;
+}
+
+// Calls `visit` with each pixel of the area that is in a tile: its number in the tile, and its index in the
+// film.
+template <class Visit>
+void CpuPathSampler::forEachPixelOf(const std::uint32_t place, const Visit& visit) const {
+    const std::uint32_t tile = tileAt(tiling_.order, place);
+    const uvec2 corner = uvec2(tile % tiling_.order.perRow, tile / tiling_.order.perRow) * kTileSide;
+    for (std::uint32_t i = 0; i < kTilePixels; ++i) {
+        const uvec2 pixel = corner + pixelInTile(i);
+        if (pixel.x < work().area.width() && pixel.y < work().area.height()) {
+            visit(i, std::size_t{pixel.y} * work().area.width() + pixel.x);
+        }
+    }
+}
+
+// The film that the kernel sees is that of the tile alone.
+void CpuPathSampler::takeTile(const std::uint32_t place, const std::uint32_t first,
+                              const std::uint32_t samples, FilmData& block) const {
+    std::array<FilmPixel, kTilePixels> pixels;
+    std::array<FilmPixel, kTilePixels> totals; // written with other push constants alone
+    std::array<LightParts, kTilePixels> light;
+    std::array<std::array<std::uint32_t, kBlockSamples>, kTilePixels> hits;
+    PathStatus status{};
+    forEachPixelOf(place, [&](const std::uint32_t i, const std::size_t index) {
+        pixels[i] = block.pixels[index];
+        if (!block.light.empty()) {
+            light[i] = block.light[index];
+        }
+    });
+
+    const PathPush push{.firstPlace = place,
+                        .order = tiling_.order,
+                        .firstSample = first,
+                        .samples = samples,
+                        .bandPlace = place,
+                        .isFresh = 0,
+                        .turns = std::numeric_limits<std::uint32_t>::max()};
+    KernelInput input = shared_;
+    input.push = reinterpret_cast<const char*>(&push);
+    const auto bind = [&](const std::uint32_t binding, auto* const values) {
+        input.buffers[binding] = reinterpret_cast<char*>(values);
+    };
+    bind(kBindOutput, pixels.data());
+    bind(kBindTotal, totals.data());
+    bind(kBindLight, light.data());
+    bind(kBindHits, hits.data());
+    bind(kBindPathStatus, &status);
+    kernel_(input);
+    if (status.unfinished != 0) {
+        throw std::logic_error("the kernel of the processor left pixels without their samples");
+    }
+
+    forEachPixelOf(place, [&](const std::uint32_t i, const std::size_t index) {
+        if (!block.hits.empty()) {
+            for (std::uint32_t sample = block.pixels[index].samples; sample < pixels[i].samples; ++sample) {
+                if (hits[i][sample] != kNoTriangle) {
+                    block.addHit(index, work().request.groups[hits[i][sample]]);
+                }
+            }
+        }
+        block.pixels[index] = pixels[i];
+        if (!block.light.empty()) {
+            block.light[index] = light[i];
+        }
+    });
+}
+
+bool CpuPathSampler::takeBlock(const std::uint32_t first, const std::uint32_t samples, FilmData& block,
+                               const OnProgress& onProgress) {
+    std::vector<std::uint32_t> missing; // places of tiles
+    for (std::uint32_t place = 0; place < tiling_.count; ++place) {
+        bool isWhole = true;
+        forEachPixelOf(place, [&](std::uint32_t, const std::size_t index) {
+            isWhole = isWhole && block.pixels[index].samples >= samples;
+        });
+        if (!isWhole) {
+            missing.push_back(place);
+        }
+    }
+    const auto count = static_cast<double>(missing.size());
+    const auto onPart = [&](const double part) {
+        return !onProgress || onProgress(1.0 - (1.0 - part) * count / tiling_.count);
+    };
+    return forEachPiece(
+        static_cast<unsigned>(missing.size()),
+        [&](const unsigned i) { takeTile(missing[i], first, samples, block); }, onPart);
 }
 
 std::uint32_t tilesAtOnce(const std::uint32_t tiles, const std::uint32_t mostTiles,
@@ -157,7 +290,7 @@ bool DevicePathSampler::take(const std::uint32_t endSample, const OnProgress& on
     if (!isOnHost()) {
         return advanceTo(endSample, {0, tiles_}, onProgress);
     }
-    return takeBlock(sums_, active_, endSample, [&](FilmData& block) {
+    return takeActive(sums_, active_, endSample, [&](FilmData& block) {
         const bool isBegun = hasSamples(block);
         bool isOn = true;
         for (std::uint32_t first = 0; isOn && first < tiles_; first += mostTiles_) {

@@ -2,8 +2,11 @@
 // Takes samples with the path tracer and keeps their sums, on a device or on the CPU.
 #pragma once
 #include "metamarch/accel/acceleration_structure.h"
+#include "metamarch/processor/processor_kernels.h"
 #include "metamarch/reference/pieces.h"
 #include "metamarch/render/path_tracer.h"
+#include "metamarch/render/shading_arrays.h"
+#include "metamarch/render/tiling.h"
 #include "metamarch/shared/film_data.h"
 #include "metamarch/shared/shading_scene.h"
 
@@ -63,22 +66,65 @@ FilmData takeSamples(PathSampler& sampler, std::uint32_t endSample);
 // Without samples.
 PathSums noSums(const PathWork& work, std::uint32_t firstSample);
 
-class CpuPathSampler : public PathSampler {
+// Keeps the sums in the host's memory. Uses all cores; tiles that are cancelled stay as they are.
+class HostPathSampler : public PathSampler {
   public:
-    // Structure and scene must outlive the sampler.
-    CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene, const PathWork& work);
-
     void start(PathSums sums) override { sums_ = std::move(sums); }
     void setActive(std::vector<std::uint8_t> active) override { active_ = std::move(active); }
     bool take(std::uint32_t endSample, const OnProgress& onProgress) override;
     PathSums sums() const override { return sums_; }
 
+  protected:
+    explicit HostPathSampler(const PathWork& work) : work_(work), sums_(noSums(work, 0)) {}
+
+    // Takes samples of each pixel until it has `samples` of the block, which begins with sample number
+    // `first`.
+    virtual bool takeBlock(std::uint32_t first, std::uint32_t samples, FilmData& block,
+                           const OnProgress& onProgress) = 0;
+
+    const PathWork& work() const { return work_; }
+
   private:
-    const AccelerationStructure& structure_;
-    const ShadingScene& scene_;
     PathWork work_;
     PathSums sums_;
     std::vector<std::uint8_t> active_; // none: all pixels are
+};
+
+// Executes the kernel of the device on the processor: shaders/processor.
+class CpuPathSampler : public HostPathSampler {
+  public:
+    // Structure and scene must outlive the sampler. `kernel` is one of pathKernels(), the fastest if it is
+    // null. Throws Error(outOfMemory) if an array of the scene has more than 4 GiB.
+    CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene, const PathWork& work,
+                   Kernel kernel = nullptr);
+
+  private:
+    bool takeBlock(std::uint32_t first, std::uint32_t samples, FilmData& block,
+                   const OnProgress& onProgress) override;
+    template <class Visit>
+    void forEachPixelOf(std::uint32_t place, const Visit& visit) const;
+    void takeTile(std::uint32_t place, std::uint32_t first, std::uint32_t samples, FilmData& block) const;
+
+    ShadingArrays arrays_;
+    PathInput input_;
+    Tiling tiling_;
+    KernelInput shared_{}; // what all tiles have in common
+    Kernel kernel_;
+};
+
+// Takes the samples of src/reference, over the stack traversal: to step through, and to judge the others.
+class JudgePathSampler : public HostPathSampler {
+  public:
+    // Structure and scene must outlive the sampler.
+    JudgePathSampler(const AccelerationStructure& structure, const ShadingScene& scene, const PathWork& work)
+        : HostPathSampler(work), structure_(structure), scene_(scene) {}
+
+  private:
+    bool takeBlock(std::uint32_t first, std::uint32_t samples, FilmData& block,
+                   const OnProgress& onProgress) override;
+
+    const AccelerationStructure& structure_;
+    const ShadingScene& scene_;
 };
 
 // The film stays on the device. One of more than `mostTiles` tiles, one that is too large for the device's

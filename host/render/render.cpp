@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -225,7 +226,9 @@ class Render {
 
 } // namespace
 
-RenderPlace placeOnCpu() { return {"cpu", "metamarch", "kd_stack"}; }
+RenderPlace placeOnCpu(const RenderSettings& settings) {
+    return {"cpu", "metamarch", traversalOnCpu(settings.isPrimary(), settings.traversal)};
+}
 
 RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings) {
     const TableMethod table = scene.scene().structure->options.table;
@@ -238,7 +241,7 @@ RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings) {
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const RenderControl& control) {
     Render render(scene, camera, settings, control);
-    static_cast<RenderPlace&>(render.result()) = placeOnCpu();
+    static_cast<RenderPlace&>(render.result()) = placeOnCpu(settings);
     if (settings.isPrimary()) {
         const ShadingData shading = makeShadingData(*scene.scene);
         render.drawPrimary([&](const OnProgress& onProgress) {
@@ -247,8 +250,13 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
         });
     } else {
         const PathWork work = render.work();
-        CpuPathSampler sampler(*scene.structure, *scene.shading, work);
-        render.drawPaths(sampler, work);
+        std::unique_ptr<PathSampler> sampler;
+        if (render.result().traversal == "kd_stack") {
+            sampler = std::make_unique<JudgePathSampler>(*scene.structure, *scene.shading, work);
+        } else {
+            sampler = std::make_unique<CpuPathSampler>(*scene.structure, *scene.shading, work);
+        }
+        render.drawPaths(*sampler, work);
     }
     return render.finish();
 }

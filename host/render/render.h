@@ -37,7 +37,7 @@ struct RenderSettings {
     float missDepth = std::numeric_limits<float>::infinity();
     // For the channel `motion`; without it nothing moves.
     std::optional<NextFrame> next{};
-    // The traversal on a device; empty: the one that marches the scene's table. The CPU always uses kd_stack.
+    // Empty: on a device the one that marches the scene's table, on the CPU that of traversalOnCpu().
     std::string traversal{};
 
     bool isPrimary() const { return path.integrator == Integrator::primary; }
@@ -70,7 +70,8 @@ struct RenderPlace {
     std::string traversal;
 };
 
-RenderPlace placeOnCpu();
+// Throws what traversalOnCpu() throws.
+RenderPlace placeOnCpu(const RenderSettings& settings);
 // Throws Error(invalidArgument) for a traversal that needs another table than the scene has.
 RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings);
 
@@ -95,8 +96,8 @@ struct RenderResult : RenderPlace {
     std::vector<std::string> warnings; // about this picture, one line each, for the user
 };
 
-// Renders on the CPU, with the stack traversal. Throws std::invalid_argument if the integrator needs light
-// and the scene has none, or was lit for another integrator.
+// Renders on the CPU. Throws what traversalOnCpu() throws, and std::invalid_argument if the integrator needs
+// light and the scene has none, or was lit for another integrator.
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const RenderControl& control = {});
 

@@ -234,7 +234,14 @@ CASES = [
     # render: device and method
     ("render cornell.glb -o a.exr --device 99", 4, NO_OUTPUT, r"device 99: there is no such device; devices: 0: .* \(--device\)"),
     ("render cornell.glb -o a.exr --device nonsense", 4, NO_OUTPUT, r"device 'nonsense': fits no usable device; .* \(--device\)"),
-    ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r".* are for the gpu \(--backend, --device, --traversal\)"),
+    ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r"a device is for the gpu \(--backend, --device\)"),
+    ("render cornell.glb -o a.exr --backend cpu --traversal bvh_stack", 2, NO_OUTPUT,
+     r"on the cpu there are kd_stack and meta_table; bvh_stack is for the gpu \(--backend, --traversal\)"),
+    ("render cornell.glb -o a.exr --backend cpu --traversal meta_table --integrator primary", 2, NO_OUTPUT,
+     r"on the cpu there is kd_stack; meta_table is for the gpu \(--backend, --traversal\)"),
+    ("render cornell.glb -o a.exr --size 8x8 --spp 1 --backend cpu", 0, r"a.exr: 8 x 8, 32 triangles, meta_table on cpu .*", NO_OUTPUT),
+    ("render cornell.glb -o a.exr --size 8x8 --spp 1 --backend cpu --traversal kd_stack", 0,
+     r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
     ("render cornell.glb -o a.exr --traversal fast", 2, NO_OUTPUT, r"--traversal fast: give meta_table, .* or ray_query"),
     ("render cornell.glb -o a.exr --integrator fast", 2, NO_OUTPUT, r"--integrator fast: give path, direct, ao or primary"),
     *((f"render cornell.glb -o a.exr --{option} {value}", 2, NO_OUTPUT, rf"--{option} {value}: .*")

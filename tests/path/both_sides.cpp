@@ -2,9 +2,8 @@
 #include "path/both_sides.h"
 
 #include "fixtures/vulkan_environment.h"
-#include "metamarch/reference/eye_media.h"
-#include "metamarch/reference/path.h"
 #include "metamarch/shaders/shader_library.h"
+#include "metamarch/shading/shading.h"
 
 #include <gtest/gtest.h>
 
@@ -13,48 +12,23 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace metamarch::tests {
 
 const std::string kDefaultTraversal(traversals().front());
 
-BothSides::BothSides(const PathScene& given, const Picture size)
-    : made(given), structure(buildAccelerationStructure(made.scene, {})), shading(shadingOf(made)),
-      primary(makeShadingData(made.scene)),
-      camera(makeCamera(made.view, size.width, size.height, made.camera)) {}
-
-PathSettings BothSides::settings(const PathWork& work) const {
-    PathSettings settings = settingsOf(shading, work);
-    settings.eyeMedia = mediaAt(structure, shading, camera.eye);
-    return settings;
-}
-
-FilmRequest BothSides::request(const PathWork& work) const {
-    return {work.filmParts, made.scene.triangleMaterial};
-}
-
-FilmData BothSides::filmOnCpu(const PathWork& work) const {
-    return renderPathsOnCpu(structure, shading, settings(work), camera, work.samples, request(work));
-}
-
 BothSides::DeviceRender BothSides::onDevice(const std::string& traversal, const PathWork& work,
                                             const Where where, const std::uint32_t mostTiles) const {
     const vulkan::Device& device = vulkan::testDevice();
+    const ShadingData primary = makeShadingData(made.scene);
     const render::SceneBuffers buffers =
         where == Where::fasterMemory
             ? render::SceneBuffers(device, structure, primary)
             : render::SceneBuffers(device, structure, primary, device.report().maxStorageBufferRange);
     const render::ShadingBuffers shadingBuffers(device, shading);
-    render::DevicePathSampler sampler(
-        device, buffers, shadingBuffers, traversal,
-        {settings(work), camera, {0, 0, camera.width, camera.height}, request(work)}, mostTiles);
+    render::DevicePathSampler sampler(device, buffers, shadingBuffers, traversal, ofSampler(work), mostTiles);
     FilmData film = takeSamples(sampler, work.samples);
     return {std::move(film), sampler.counters().submissions};
-}
-
-bool isSamePixel(const FilmPixel& a, const FilmPixel& b) {
-    return std::memcmp(&a, &b, offsetof(FilmPixel, steps)) == 0;
 }
 
 bool isSamePicture(const std::vector<FilmPixel>& a, const std::vector<FilmPixel>& b) {

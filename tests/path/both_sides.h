@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Renders a scene on the device and on the CPU, and compares the films.
 #pragma once
-#include "metamarch/accel/acceleration_structure.h"
 #include "metamarch/render/path_sampler.h"
-#include "metamarch/shading/shading.h"
-#include "path/path_scene.h"
+#include "path/cpu_side.h"
 
 #include <string>
 #include <vector>
 
 namespace metamarch::tests {
 
-struct Picture {
-    std::uint32_t width;
-    std::uint32_t height;
-};
-
-class BothSides {
+class BothSides : public CpuSide {
   public:
-    BothSides(const PathScene& given, Picture size);
-
-    FilmData filmOnCpu(const PathWork& work) const;
-    std::vector<FilmPixel> onCpu(const PathWork& work) const { return filmOnCpu(work).pixels; }
+    using CpuSide::CpuSide;
 
     enum class Where { fasterMemory, storageBuffers };
 
@@ -33,22 +23,9 @@ class BothSides {
     DeviceRender onDevice(const std::string& traversal, const PathWork& work,
                           Where where = Where::fasterMemory,
                           std::uint32_t mostTiles = render::DevicePathSampler::kMostTiles) const;
-
-  private:
-    PathSettings settings(const PathWork& work) const;
-    FilmRequest request(const PathWork& work) const; // groups are materials
-
-    PathScene made;
-    AccelerationStructure structure;
-    ShadingScene shading;
-    ShadingData primary;
-    Camera camera;
 };
 
 extern const std::string kDefaultTraversal;
-
-// Compares all bits except steps and tests, which depend on the traversal.
-bool isSamePixel(const FilmPixel& a, const FilmPixel& b);
 
 // Returns true if two films of the same samples show the same picture: their mean radiances differ by at most
 // four standard errors and a part in a thousand, and at most one pixel in twenty by more than a hundredth.

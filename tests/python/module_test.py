@@ -455,7 +455,7 @@ class Module(program.ProgramTest):
             (metamarch.InvalidArgument, r"^sky='yes': give True or False$", self.small, {"sky": "yes"}),
             (metamarch.InvalidArgument, r"^integrator magic: give path, direct", self.small, {"integrator": "magic"}),
             (metamarch.InvalidArgument, r"^there is no camera none;", self.small, {"camera": "none"}),
-            (metamarch.InvalidArgument, r"are for the gpu \(backend, device, traversal\)$", self.small, {"device": "0"}),
+            (metamarch.InvalidArgument, r"a device is for the gpu \(backend, device\)$", self.small, {"device": "0"}),
             (metamarch.InvalidArgument, r"crop reaches beyond the picture of 12 x 8 pixels \(crop\)$", self.small,
              {"crop": (0, 0, 13, 8)}),
             (metamarch.InvalidArgument, r"primary has no noise \(denoise\)$", self.small,
