@@ -256,7 +256,8 @@ void RenderJob::render() {
     const PixelRect area = settings_.area.value_or(PixelRect{0, 0, options_.size.x, options_.size.y});
     render::RenderControl control;
     if (checkpoint_ || resumed_ || isPart(options_)) {
-        const render::RenderPlace place = onDevice_ ? placeOn(*onDevice_, settings_) : render::placeOnCpu(settings_);
+        const render::RenderPlace place =
+            onDevice_ ? placeOn(*onDevice_, settings_) : render::placeOnCpu(settings_);
         sums_ = {.facts = factsOf(*prepared_, sceneCamera_, place, given_),
                  .sceneFile = options_.scenePath,
                  .width = options_.size.x,
