@@ -28,6 +28,8 @@ OTHERS = [
     ("webp/", "PkgConfig::WEBP", ["scene"]),
 ]
 POSIX = ["dlfcn.h", "fcntl.h", "poll.h", "unistd.h", "sys/"]
+# Vectors of the processor, in one file.
+INTRINSICS = "immintrin.h", "shaders/processor/lanes.h"
 # This file prints the versions of the libraries that the program is built with.
 VERSIONS = "host/cli/version.cpp"
 
@@ -36,6 +38,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 def complaint(libraries, library, targets, file, bracket, header):
     """Returns the fault of an include, or None."""
+    if header == INTRINSICS[0]:
+        return None if str(file).endswith(INTRINSICS[1]) else f"only {INTRINSICS[1]} may include it"
     own = re.match(r"metamarch/([^/]+)/(.+)", header)
     if own:
         name, path = own.groups()
