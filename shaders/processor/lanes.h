@@ -246,6 +246,18 @@ LANES auto allOf(const Vec3<X>& v) {
     return v.x & v.y & v.z;
 }
 
+// Returns what Operation<T>::of makes of a scalar, or of each component of a Vec.
+template <template <class> class Operation, class T, class Y>
+LANES T as(const Y& y) {
+    if constexpr (kIsVec<T>) {
+        return eachOf(
+            y, [](const auto& part)
+                   __attribute__((always_inline)) { return Operation<decltype(T::x)>::of(part); });
+    } else {
+        return Operation<T>::of(y);
+    }
+}
+
 // One number for all lanes
 
 template <class T>
@@ -270,18 +282,9 @@ struct Splat<Ints> {
     static LANES Ints of(const bool x) { return of(x ? -1 : 0); }
     static LANES Ints of(const Ints& x) { return x; }
 };
-template <template <class> class V, class X>
-    requires kIsVec<V<X>>
-struct Splat<V<X>> {
-    template <class Y>
-    static LANES V<X> of(const V<Y>& v) {
-        return eachOf(
-            v, [](const Y& y) __attribute__((always_inline)) { return Splat<X>::of(y); });
-    }
-};
 template <class T, class Y>
 LANES T splat(const Y& y) {
-    return Splat<T>::of(y);
+    return as<Splat, T>(y);
 }
 
 // The same bits as another type. T says for how many lanes.
@@ -294,18 +297,9 @@ struct Bits {
         return __builtin_bit_cast(T, y);
     }
 };
-template <template <class> class V, class X>
-    requires kIsVec<V<X>>
-struct Bits<V<X>> {
-    template <class Y>
-    static LANES V<X> of(const V<Y>& v) {
-        return eachOf(
-            v, [](const Y& y) __attribute__((always_inline)) { return Bits<X>::of(y); });
-    }
-};
 template <class T, class Y>
 LANES T bits(const Y& y) {
-    return Bits<T>::of(y);
+    return as<Bits, T>(y);
 }
 
 // Numbers as another type: from float towards 0.
@@ -330,18 +324,9 @@ struct Convert {
         }
     }
 };
-template <template <class> class V, class X>
-    requires kIsVec<V<X>>
-struct Convert<V<X>> {
-    template <class Y>
-    static LANES V<X> of(const V<Y>& v) {
-        return eachOf(
-            v, [](const Y& y) __attribute__((always_inline)) { return Convert<X>::of(y); });
-    }
-};
 template <class T, class Y>
 LANES T convert(const Y& y) {
-    return Convert<T>::of(y);
+    return as<Convert, T>(y);
 }
 
 // Functions of GLSL
@@ -421,7 +406,7 @@ LANES auto clamped(const A& x, const B& least, const C& most) {
     return smaller(larger(x, least), most);
 }
 
-// Of divisions by 0, which GLSL does not define, some number.
+// A division by 0, which GLSL does not define, gives some number.
 template <Scalar A, Scalar B>
 LANES auto quotient(const A& a, const B& b) {
     return a / select(b == 0u, splat<B>(1u), b);

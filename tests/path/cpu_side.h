@@ -23,7 +23,7 @@ class CpuSide {
     FilmData filmOnCpu(const PathWork& work) const; // by the judge
     std::vector<FilmPixel> onCpu(const PathWork& work) const { return filmOnCpu(work).pixels; }
 
-    // Those that can draw the scene.
+    // Returns the kernels that can draw the scene.
     std::vector<ProcessorKernel> kernels() const;
     FilmData filmInLanes(const PathWork& work, Kernel kernel) const;
 

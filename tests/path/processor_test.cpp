@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PathProcessor, testing::ValuesIn(gpuPathScenes(
 
 class PathProcessorFile : public testing::TestWithParam<const char*> {};
 
-// Of a picture whose last tiles are cut, with more than one block of samples.
+// The last tiles of the picture are cut, and it has more than one block of samples.
 TEST_P(PathProcessorFile, drawsWhatTheJudgeDraws) {
     PathScene made;
     made.scene = loadScene(sharedScene(GetParam()));

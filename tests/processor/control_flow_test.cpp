@@ -18,40 +18,52 @@ namespace {
 
 constexpr std::uint32_t kSize = 64; // of a workgroup
 constexpr std::uint32_t kUntouched = 0x12345678u;
+constexpr std::uint32_t kFirstSum = 5;
+
+struct Output {
+    std::vector<glm::uvec4> results;
+    std::vector<glm::uvec2> more;
+    std::uint32_t sum;
+};
+
+// Runs the kernel for whole workgroups.
+Output run(std::vector<std::uint32_t>& given) {
+    Output output{std::vector(given.size(), glm::uvec4(kUntouched)),
+                  std::vector(given.size(), glm::uvec2(kUntouched)), kFirstSum};
+    KernelInput input{};
+    input.buffers[0] = reinterpret_cast<char*>(given.data());
+    input.buffers[1] = reinterpret_cast<char*>(output.results.data());
+    input.buffers[2] = reinterpret_cast<char*>(output.more.data());
+    input.buffers[3] = reinterpret_cast<char*>(&output.sum);
+    input.invocations = kSize;
+    for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
+        control_flow(input);
+    }
+    return output;
+}
 
 TEST(Translate, lanesComputeWhatTheSourceSays) {
     std::vector<std::uint32_t> given(std::size_t{kSize} * 1024);
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i % 7 == 3 ? 0xffffffffu : i < 1000 ? i : i * 2654435761u >> (i % 23);
     }
-    std::vector<glm::uvec4> results(given.size(), glm::uvec4(kUntouched));
-    std::vector<glm::uvec2> more(given.size(), glm::uvec2(kUntouched));
-    std::uint32_t sum = 5;
-    KernelInput input{};
-    input.buffers[0] = reinterpret_cast<char*>(given.data());
-    input.buffers[1] = reinterpret_cast<char*>(results.data());
-    input.buffers[2] = reinterpret_cast<char*>(more.data());
-    input.buffers[3] = reinterpret_cast<char*>(&sum);
-    input.invocations = kSize;
-    for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
-        control_flow(input);
-    }
+    const Output output = run(given);
 
-    std::uint32_t expectedSum = 5;
+    std::uint32_t expectedSum = kFirstSum;
     for (std::size_t i = 0; i < given.size(); ++i) {
         const std::uint32_t x = given[i];
         if (x == 0xffffffffu) {
-            ASSERT_EQ(results[i], glm::uvec4(kUntouched)) << "lanes that return write nothing";
+            ASSERT_EQ(output.results[i], glm::uvec4(kUntouched)) << "lanes that return write nothing";
             continue;
         }
-        ASSERT_EQ(results[i].x, early(x)) << x;
-        ASSERT_EQ(results[i].y, turns(x)) << x;
-        ASSERT_EQ(results[i].z, nested(x)) << x;
-        ASSERT_EQ(results[i].w, structs(x)) << x;
-        ASSERT_EQ(more[i].x, numbers(x)) << x;
+        ASSERT_EQ(output.results[i].x, early(x)) << x;
+        ASSERT_EQ(output.results[i].y, turns(x)) << x;
+        ASSERT_EQ(output.results[i].z, nested(x)) << x;
+        ASSERT_EQ(output.results[i].w, structs(x)) << x;
+        ASSERT_EQ(output.more[i].x, numbers(x)) << x;
         expectedSum += x;
     }
-    EXPECT_EQ(sum, expectedSum);
+    EXPECT_EQ(output.sum, expectedSum);
 }
 
 // GLM's function keeps no NaN; IEEE 754's value of each half is written out here.
@@ -60,18 +72,7 @@ TEST(Translate, halvesHaveTheirValues) {
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i;
     }
-    std::vector<glm::uvec4> results(given.size());
-    std::vector<glm::uvec2> more(given.size());
-    std::uint32_t sum = 0;
-    KernelInput input{};
-    input.buffers[0] = reinterpret_cast<char*>(given.data());
-    input.buffers[1] = reinterpret_cast<char*>(results.data());
-    input.buffers[2] = reinterpret_cast<char*>(more.data());
-    input.buffers[3] = reinterpret_cast<char*>(&sum);
-    input.invocations = kSize;
-    for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
-        control_flow(input);
-    }
+    const Output output = run(given);
     const auto bitsOf = [](const std::uint32_t half) {
         const int exponent = static_cast<int>(half >> 10 & 31u);
         const auto mantissa = static_cast<float>(half & 1023u);
@@ -84,7 +85,7 @@ TEST(Translate, halvesHaveTheirValues) {
         if ((half & 0x7c00u) == 0x7c00u && (half & 1023u) != 0) {
             continue; // NaN
         }
-        ASSERT_EQ(more[half].y, bitsOf(half) ^ (bitsOf(half ^ 0x8000u) * 3u)) << half;
+        ASSERT_EQ(output.more[half].y, bitsOf(half) ^ (bitsOf(half ^ 0x8000u) * 3u)) << half;
     }
 }
 
