@@ -63,8 +63,9 @@ SHARED_FN uint nested(const uint x) {
     for (uint i = 0u; i < 4u; ++i) {
         uint inner = x;
         do {
-            inner = inner / 2u + i;
-            kept = inner ^ (i << 8u);
+            const uint next = inner / 2u + i;
+            kept = next ^ (i << 8u);
+            inner = next;
             if (inner % 64u == 6u) {
                 break;
             }
