@@ -62,7 +62,7 @@ void beginWork() {
 
 void beginFileWork() {
     if (isForked()) {
-        setImageThreads(1);
+        forgetImageThreads();
     }
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 
 namespace metamarch {
 namespace {
@@ -169,6 +170,16 @@ std::vector<std::uint8_t> rgba8Of(const Image& image, const ToneMapping& toneMap
 void setImageThreads(const int threads) {
     OIIO::attribute("threads", threads);
     OIIO::attribute("exr_threads", threads > 1 ? threads : -1); // -1: the calling thread
+}
+
+void forgetImageThreads() {
+    setImageThreads(1);
+    // When a file is begun, OpenEXR drops the threads that it no longer wants and then waits for their end.
+    // That throws where they do not exist, with OpenEXR 3.1.13, and once only.
+    try {
+        OIIO::ImageOutput::create("exr");
+    } catch (const std::system_error&) {
+    }
 }
 
 void checkWritable(const std::filesystem::path& path, const PictureStorage& storage) {

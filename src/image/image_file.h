@@ -71,4 +71,8 @@ Image readImage(const std::filesystem::path& path);
 // processor.
 void setImageThreads(int threads);
 
+// In a forked process the libraries lack the threads of its parent: from now on the calling thread works
+// alone.
+void forgetImageThreads();
+
 } // namespace metamarch
