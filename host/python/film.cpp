@@ -15,8 +15,8 @@
 namespace metamarch::python {
 namespace {
 
-// Returns null for the cpu. Where nobody chooses and there is no device, this chooses the cpu, also in
-// `words`.
+// Returns null for the cpu. Where nobody chooses, this chooses the cpu, also in `words`, unless there is a
+// graphics processor: software drivers are slower and draw the same picture.
 std::shared_ptr<OpenDevice> deviceFor(Choice& choice, Words& words) {
     const cli::RenderOptions& options = choice.options;
     if (options.backend == cli::Backend::cpu) {
@@ -25,7 +25,10 @@ std::shared_ptr<OpenDevice> deviceFor(Choice& choice, Words& words) {
     const bool isChosen =
         choice.settings.at("backend").isGiven() || !options.device.empty() || !options.traversal.empty();
     try {
-        return openDevice(options.device);
+        std::shared_ptr<OpenDevice> device = openDevice(options.device);
+        if (isChosen || !device->device.report().keepsBits()) {
+            return device;
+        }
     } catch (const Error& error) {
         if (isChosen || error.kind != ErrorKind::noDevice) {
             throw;

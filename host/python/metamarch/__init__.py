@@ -482,8 +482,9 @@ def _render_words(call: str, options: dict[str, Any]) -> list[tuple[str, str]]:
 def render(scene: Scene, **options: Unpack[RenderOptions]) -> Film:
     """Renders a picture. Other threads of Python run meanwhile; Ctrl-C ends the render with KeyboardInterrupt.
 
-    Without `backend` a Vulkan device renders where there is one, otherwise the processor; Film.device says which. On
-    lavapipe and on the processor the pictures are equal to the bit.
+    Without `backend` a graphics processor renders where there is one with a Vulkan driver, otherwise the processor;
+    Film.device says which. A software driver such as lavapipe renders only where `backend` or `device` asks for it: the
+    processor is faster and draws the same picture to the bit.
 
     >>> scene = load("scenes/cornell.glb")
     >>> white = render(scene, camera=scene.cameras[0], size=(4, 4), integrator="ao", backend="cpu")
