@@ -256,7 +256,7 @@ void checkArguments(const RenderOptions& options) {
         if (!options.device.empty()) {
             throw Error(ErrorKind::invalidArgument, "a device is for the gpu", {"backend", "device"});
         }
-        render::traversalOnCpu(options.path.integrator == Integrator::primary, options.traversal);
+        render::traversalOnCpu(options.traversal);
     }
     checkRun(options);
     checkCatcher(options);

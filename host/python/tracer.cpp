@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/python/tracer.h"
 
-#include "metamarch/reference/trace.h"
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/shared/hit_point.h"
 
@@ -56,13 +55,7 @@ std::vector<RayResult> Tracer::results(const std::span<const RayQuery> rays) {
     if (onDeviceTracer_) {
         return useDevice(onDevice_->owner, [&] { return onDeviceTracer_->trace(rays); });
     }
-    std::vector<RayResult> results(rays.size());
-    forEachRay(rays.size(), [&](const std::size_t i) {
-        const Ray ray = rayOf(*prepared_.structure, rays[i]);
-        const TraceResult found = traceKdStack(*prepared_.structure, ray, HitQuery::closest);
-        results[i] = rayResult(ray, found.hit, found.steps, found.tests);
-    });
-    return results;
+    return render::traceOnProcessor(*prepared_.structure, rays);
 }
 
 Hits Tracer::trace(const std::span<const RayQuery> rays) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/path_sampler.h"
 
-#include "metamarch/accel/structure.h"
 #include "metamarch/error/error.h"
 #include "metamarch/reference/path.h"
-#include "metamarch/vulkan/byte_text.h"
-
-#include <fmt/format.h>
+#include "metamarch/render/processor_input.h"
 
 #include <algorithm>
 #include <array>
@@ -95,33 +92,11 @@ CpuPathSampler::CpuPathSampler(const AccelerationStructure& structure, const Sha
                                const PathWork& work, const Kernel kernel)
     : HostPathSampler(work), arrays_(scene), input_{work.camera,   work.settings,     work.area.left,
                                                     work.area.top, work.area.width(), work.area.height()},
-      tiling_(work.area) {
-    // The kernel writes only to the film, which takeTile() binds.
-    const auto bind = [&](const std::uint32_t binding, const std::span<const std::byte> data) {
-        static constexpr std::array<std::byte, sizeof(TriangleRecord)> kNone{};
-        // Lanes count bytes in 32 bits.
-        if (data.size() > std::numeric_limits<std::uint32_t>::max()) {
-            throw Error(
-                ErrorKind::outOfMemory,
-                fmt::format("an array of the scene takes {}, more than the 4 GiB that the cpu's kernel "
-                            "reads; kd_stack reads more",
-                            vulkan::byteText(data.size())),
-                {"traversal"});
-        }
-        const std::byte* const first = data.empty() ? kNone.data() : data.data();
-        shared_.buffers[binding] = const_cast<char*>(reinterpret_cast<const char*>(first));
-    };
-    const StructureSet set(structure);
-    const Structure& walked = findStructure("meta_table");
-    for (const StructurePart& part : walked.parts) {
-        bind(part.binding, part.data(set));
-    }
-    bind(kBindTriangles, std::as_bytes(walked.triangles(set)));
-    bind(kBindLattice, std::as_bytes(std::span(&structure.lattice, 1)));
+      tiling_(work.area), shared_(inputOver(structure)) {
     for (const ShadingArray& array : arrays_.arrays()) {
-        bind(array.binding, array.data);
+        bindBytes(shared_, array.binding, array.data);
     }
-    bind(kBindInput, std::as_bytes(std::span(&input_, 1)));
+    bindValues(shared_, kBindInput, std::span(&std::as_const(input_), 1));
     const std::uint32_t features = scene.features | cameraFeatures(work.camera);
     shared_.constants[kSpecFeatures] = features;
     shared_.constants[kSpecFilm] = work.request.parts;
@@ -165,16 +140,12 @@ void CpuPathSampler::takeTile(const std::uint32_t place, const std::uint32_t fir
                         .bandPlace = place,
                         .isFresh = 0,
                         .turns = std::numeric_limits<std::uint32_t>::max()};
-    KernelInput input = shared_;
-    input.push = reinterpret_cast<const char*>(&push);
-    const auto bind = [&](const std::uint32_t binding, auto* const values) {
-        input.buffers[binding] = reinterpret_cast<char*>(values);
-    };
-    bind(kBindOutput, pixels.data());
-    bind(kBindTotal, totals.data());
-    bind(kBindLight, light.data());
-    bind(kBindHits, hits.data());
-    bind(kBindPathStatus, &status);
+    KernelInput input = withPush(shared_, push);
+    bindOutput(input, kBindOutput, pixels.data());
+    bindOutput(input, kBindTotal, totals.data());
+    bindOutput(input, kBindLight, light.data());
+    bindOutput(input, kBindHits, hits.data());
+    bindOutput(input, kBindPathStatus, &status);
     kernel_(input);
     if (status.unfinished != 0) {
         throw std::logic_error("the kernel of the processor left pixels without their samples");

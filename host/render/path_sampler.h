@@ -108,7 +108,7 @@ class CpuPathSampler : public HostPathSampler {
     ShadingArrays arrays_;
     PathInput input_;
     Tiling tiling_;
-    KernelInput shared_{}; // what all tiles have in common
+    KernelInput shared_; // what all tiles have in common
     Kernel kernel_;
 };
 

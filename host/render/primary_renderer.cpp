@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/primary_renderer.h"
 
+#include "metamarch/processor/processor_kernels.h"
 #include "metamarch/render/cut_short.h"
+#include "metamarch/render/processor_input.h"
 #include "metamarch/render/tiling.h"
 #include "metamarch/render/work_size.h"
 #include "metamarch/vulkan/submission.h"
 #include "metamarch/vulkan/transfer.h"
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 
 namespace metamarch::render {
 namespace {
@@ -74,6 +78,31 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
         isOn = !onProgress || onProgress(static_cast<double>(next) / tiles);
     }
     return render;
+}
+
+std::vector<FilmPixel> renderPrimaryOnProcessor(const AccelerationStructure& structure,
+                                                const ShadingData& shading, const Camera& camera,
+                                                const OnProgress& onProgress, const Kernel kernel) {
+    KernelInput input = inputOver(structure);
+    bindValues(input, kBindMaterialOfTriangle, std::span(shading.materialOfTriangle));
+    bindValues(input, kBindMaterials, std::span(shading.materials));
+    bindValues(input, kBindCamera, std::span(&camera, 1));
+    input.invocations = kTilePixels;
+
+    const Tiling tiling(camera);
+    std::vector<FilmPixel> pixels(std::size_t{camera.width} * camera.height, emptyPixel());
+    const auto drawTile = [&](const unsigned place) {
+        std::array<FilmPixel, kTilePixels> tile;
+        const PrimaryPush push{place, tiling.order};
+        KernelInput ofTile = withPush(input, push);
+        bindOutput(ofTile, kBindOutput, tile.data());
+        kernel(ofTile);
+        if (!copyTile(tile, tileAt(tiling.order, place), tiling.order.perRow, camera, pixels)) {
+            throw std::logic_error("the kernel of the processor left pixels without their sample");
+        }
+    };
+    forEachPiece(tiling.count, drawTile, onProgress);
+    return pixels;
 }
 
 } // namespace metamarch::render

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "metamarch/render/ray_tracer.h"
 
+#include "metamarch/reference/pieces.h"
 #include "metamarch/render/cut_short.h"
+#include "metamarch/render/processor_input.h"
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace metamarch::render {
+namespace {
+
+// A thread of the processor takes so many rays at a time: enough that a call of the kernel costs little.
+constexpr std::size_t kRaysOfPiece = 1024;
+constexpr std::uint32_t kLanes = 8; // KernelInput::invocations is a multiple
+
+} // namespace
 
 RayTracer::RayTracer(const vulkan::Device& usedDevice, const SceneBuffers& scene,
                      const std::string& usedTraversal, const bool anyHit)
@@ -19,6 +31,28 @@ std::vector<RayResult> RayTracer::trace(const std::span<const RayQuery> rays) {
     for (const RayResult& result : results) {
         refuseCutShort(result.steps, device, traversal);
     }
+    return results;
+}
+
+std::vector<RayResult> traceOnProcessor(const AccelerationStructure& structure,
+                                        const std::span<const RayQuery> rays, const Kernel kernel) {
+    const KernelInput input = inputOver(structure);
+    std::vector<RayResult> results(rays.size());
+    const auto traceOnePiece = [&](const unsigned piece) {
+        const std::size_t first = piece * kRaysOfPiece;
+        const std::span some = rays.subspan(first, std::min(kRaysOfPiece, rays.size() - first));
+        const std::span found = std::span(results).subspan(first, some.size());
+        const RaysPush push{0, static_cast<std::uint32_t>(some.size())};
+        KernelInput ofPiece = withPush(input, push);
+        ofPiece.invocations = (push.end + kLanes - 1) / kLanes * kLanes;
+        bindValues(ofPiece, kBindInput, some);
+        bindOutput(ofPiece, kBindOutput, found.data());
+        kernel(ofPiece);
+        if (std::ranges::count(found, kCutShort, &RayResult::steps) > 0) {
+            throw std::logic_error("the kernel of the processor left a ray before its end");
+        }
+    };
+    forEachPiece(static_cast<unsigned>((rays.size() + kRaysOfPiece - 1) / kRaysOfPiece), traceOnePiece, {});
     return results;
 }
 

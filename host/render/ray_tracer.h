@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Traces single rays with the kernel `rays`, for tests and benchmarks.
+// Traces single rays with the kernel `rays`, on a Vulkan device or on the processor.
 #pragma once
+#include "metamarch/processor/processor_kernels.h"
 #include "metamarch/render/ray_batches.h"
 #include "metamarch/render/scene_buffers.h"
 
@@ -27,5 +28,11 @@ class RayTracer {
     std::string traversal;
     RayBatches batches;
 };
+
+// Returns the closest hit of each ray, in the order of `rays`. `kernel` is one of rayKernels(). Throws
+// Error(outOfMemory) if an array of the structure has more than 4 GiB.
+std::vector<RayResult> traceOnProcessor(const AccelerationStructure& structure,
+                                        std::span<const RayQuery> rays,
+                                        Kernel kernel = rayKernels().front().run);
 
 } // namespace metamarch::render

@@ -227,7 +227,7 @@ class Render {
 } // namespace
 
 RenderPlace placeOnCpu(const RenderSettings& settings) {
-    return {"cpu", "metamarch", traversalOnCpu(settings.isPrimary(), settings.traversal)};
+    return {"cpu", "metamarch", traversalOnCpu(settings.traversal)};
 }
 
 RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings) {
@@ -242,16 +242,18 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
                            const RenderControl& control) {
     Render render(scene, camera, settings, control);
     static_cast<RenderPlace&>(render.result()) = placeOnCpu(settings);
+    const bool isByJudge = render.result().traversal == "kd_stack";
     if (settings.isPrimary()) {
         const ShadingData shading = makeShadingData(*scene.scene);
         render.drawPrimary([&](const OnProgress& onProgress) {
-            return renderPrimaryOnCpu(*scene.structure, shading.materials, shading.materialOfTriangle, camera,
-                                      onProgress);
+            return isByJudge ? renderPrimaryOnCpu(*scene.structure, shading.materials,
+                                                  shading.materialOfTriangle, camera, onProgress)
+                             : renderPrimaryOnProcessor(*scene.structure, shading, camera, onProgress);
         });
     } else {
         const PathWork work = render.work();
         std::unique_ptr<PathSampler> sampler;
-        if (render.result().traversal == "kd_stack") {
+        if (isByJudge) {
             sampler = std::make_unique<JudgePathSampler>(*scene.structure, *scene.shading, work);
         } else {
             sampler = std::make_unique<CpuPathSampler>(*scene.structure, *scene.shading, work);

@@ -21,12 +21,11 @@ void requireTable(const TableMethod method, const std::string_view traversal) {
     }
 }
 
-std::string traversalOnCpu(const bool isPrimary, const std::string& wanted) {
-    const std::string fastest = isPrimary ? "kd_stack" : "meta_table";
+std::string traversalOnCpu(const std::string& wanted) {
+    const std::string fastest = "meta_table";
     if (!wanted.empty() && wanted != fastest && wanted != "kd_stack") {
         throw Error(ErrorKind::invalidArgument,
-                    fmt::format("on the cpu there {} kd_stack{}; {} is for the gpu", isPrimary ? "is" : "are",
-                                isPrimary ? "" : " and meta_table", wanted),
+                    fmt::format("on the cpu there are kd_stack and {}; {} is for the gpu", fastest, wanted),
                     {"backend", "traversal"});
     }
     return wanted.empty() ? fastest : wanted;

@@ -15,9 +15,8 @@ std::string_view marchingTraversal(TableMethod method);
 // rectilinear table, and the others would read a table that was not asked for.
 void requireTable(TableMethod method, std::string_view traversal);
 
-// Returns the traversal of a picture that is made on the CPU: `wanted`, or the fastest if that is empty.
-// Paths take the kernel over the meta table or the judge over the kd-tree, `primary` takes the judge. Throws
-// Error(invalidArgument) for all other traversals.
-std::string traversalOnCpu(bool isPrimary, const std::string& wanted);
+// Returns the traversal of a picture that is made on the CPU: `wanted`, or that of the kernels, over the meta
+// table, if it is empty. The judge takes kd_stack. Throws Error(invalidArgument) for all other traversals.
+std::string traversalOnCpu(const std::string& wanted);
 
 } // namespace metamarch::render

@@ -4,12 +4,10 @@
 // multiple of this.
 #include "lib/rays.glsl"
 
-layout(local_size_x = 64) in;
-
 WORDS1(knownRecords, kBindKnownRecords);
 
 void main() {
-    const uint i = push.first + gl_GlobalInvocationID.x;
+    const uint i = rayOfInvocation();
     if (i >= push.end) {
         return;
     }

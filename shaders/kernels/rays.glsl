@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Traces a buffer of rays and writes a buffer of hits, for tests and benchmarks.
+// Traces a buffer of rays and writes a buffer of hits: for a caller's own rays, for tests and benchmarks.
 #include "lib/rays.glsl"
-
-layout(local_size_x = 64) in;
 
 layout(constant_id = kSpecAnyHit) const uint anyHit = 0u;
 
 void main() {
-    const uint i = push.first + gl_GlobalInvocationID.x;
+    const uint i = rayOfInvocation();
     if (i >= push.end) {
         return;
     }

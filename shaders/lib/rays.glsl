@@ -5,9 +5,16 @@
 #include "lib/scene.glsl"
 #include "shared/ray_query.h"
 
+layout(local_size_x = 64) in;
+
 WORDS4(rayWords, kBindInput);
 layout(std430, binding = kBindOutput) writeonly buffer HitBuffer { RayResult results[]; };
 layout(push_constant) uniform PushBlock { RaysPush push; };
+
+// Returns the index of the invocation's ray. There is none at push.end and behind it.
+uint rayOfInvocation() {
+    return push.first + gl_WorkGroupID.x * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+}
 
 RayQuery loadRay(const uint i) {
     const uvec4 a = LOAD4(rayWords, 2u * i);

@@ -6,11 +6,17 @@
 namespace metamarch {
 
 void path_baseline(const KernelInput& input);
+void primary_baseline(const KernelInput& input);
+void rays_baseline(const KernelInput& input);
 #ifdef __x86_64__
 void path_avx2(const KernelInput& input);
 void path_avx512(const KernelInput& input);
 void plain_path_avx2(const KernelInput& input);
 void plain_path_avx512(const KernelInput& input);
+void primary_avx2(const KernelInput& input);
+void primary_avx512(const KernelInput& input);
+void rays_avx2(const KernelInput& input);
+void rays_avx512(const KernelInput& input);
 #else
 void plain_path_baseline(const KernelInput& input);
 #endif
@@ -21,30 +27,60 @@ constexpr std::uint32_t kRareFeatures =
     kBsdfFeatures | kFeatureAnisotropy | kFeatureDispersion | kFeatureCatcher | kFeatureThinGlass;
 static_assert(kRareFeatures == METAMARCH_RARE_FEATURES, "RARE_FEATURES in CMakeLists.txt");
 
+// Drops the kernels with instructions that this processor lacks. A kernel's name ends with its set of
+// instructions.
+std::vector<ProcessorKernel> executable(std::vector<ProcessorKernel> kernels) {
+#ifdef __x86_64__
+    const bool hasAvx2 = __builtin_cpu_supports("avx2");
+    const bool hasAvx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    std::erase_if(kernels, [&](const ProcessorKernel& kernel) {
+        return (!hasAvx2 && kernel.name.ends_with("_avx2")) ||
+               (!hasAvx512 && kernel.name.ends_with("_avx512"));
+    });
+#endif
+    return kernels;
+}
+
 } // namespace
 
 std::vector<ProcessorKernel> pathKernels(const std::uint32_t features) {
-    const bool isPlain = (features & kRareFeatures) == 0;
-    std::vector<ProcessorKernel> kernels;
-    const auto add = [&](const bool isExecutable, const ProcessorKernel& plain,
-                         const ProcessorKernel& whole) {
-        if (isExecutable && isPlain) {
-            kernels.push_back(plain);
-        }
-        if (isExecutable) {
-            kernels.push_back(whole);
-        }
-    };
+    std::vector<ProcessorKernel> kernels = executable({
 #ifdef __x86_64__
-    add(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"),
-        {"plain_path_avx512", plain_path_avx512}, {"path_avx512", path_avx512});
-    add(__builtin_cpu_supports("avx2"), {"plain_path_avx2", plain_path_avx2}, {"path_avx2", path_avx2});
-    kernels.push_back({"path_baseline", path_baseline});
+        {"plain_path_avx512", plain_path_avx512},
+        {"path_avx512", path_avx512},
+        {"plain_path_avx2", plain_path_avx2},
+        {"path_avx2", path_avx2},
 #else
-    add(true, {"plain_path_baseline", plain_path_baseline}, {"path_baseline", path_baseline});
+        {"plain_path_baseline", plain_path_baseline},
 #endif
+        {"path_baseline", path_baseline},
+    });
+    if ((features & kRareFeatures) != 0) {
+        std::erase_if(kernels,
+                      [](const ProcessorKernel& kernel) { return kernel.name.starts_with("plain_"); });
+    }
     return kernels;
+}
+
+std::vector<ProcessorKernel> primaryKernels() {
+    return executable({
+#ifdef __x86_64__
+        {"primary_avx512", primary_avx512},
+        {"primary_avx2", primary_avx2},
+#endif
+        {"primary_baseline", primary_baseline},
+    });
+}
+
+std::vector<ProcessorKernel> rayKernels() {
+    return executable({
+#ifdef __x86_64__
+        {"rays_avx512", rays_avx512},
+        {"rays_avx2", rays_avx2},
+#endif
+        {"rays_baseline", rays_baseline},
+    });
 }
 
 } // namespace metamarch

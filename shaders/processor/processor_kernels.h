@@ -15,8 +15,16 @@ struct ProcessorKernel {
     Kernel run;
 };
 
-// Returns the path tracers over the meta table (kernels/path.glsl) that this processor can execute, the
-// fastest first. All draw the same. `features` are those of the scene and the camera (shared/features.h).
+// Each of these returns kernels that this processor can execute, the fastest first. All of them walk the meta
+// table, and all give the same bits.
+
+// kernels/path.glsl. `features` are those of the scene and the camera (shared/features.h).
 std::vector<ProcessorKernel> pathKernels(std::uint32_t features);
+
+// kernels/primary.glsl
+std::vector<ProcessorKernel> primaryKernels();
+
+// kernels/rays.glsl
+std::vector<ProcessorKernel> rayKernels();
 
 } // namespace metamarch

@@ -237,8 +237,8 @@ CASES = [
     ("render cornell.glb -o a.exr --backend cpu --device 0", 2, NO_OUTPUT, r"a device is for the gpu \(--backend, --device\)"),
     ("render cornell.glb -o a.exr --backend cpu --traversal bvh_stack", 2, NO_OUTPUT,
      r"on the cpu there are kd_stack and meta_table; bvh_stack is for the gpu \(--backend, --traversal\)"),
-    ("render cornell.glb -o a.exr --backend cpu --traversal meta_table --integrator primary", 2, NO_OUTPUT,
-     r"on the cpu there is kd_stack; meta_table is for the gpu \(--backend, --traversal\)"),
+    ("render cornell.glb -o a.exr --backend cpu --traversal kd_ropes --integrator primary", 2, NO_OUTPUT,
+     r"on the cpu there are kd_stack and meta_table; kd_ropes is for the gpu \(--backend, --traversal\)"),
     ("render cornell.glb -o a.exr --size 8x8 --spp 1 --backend cpu", 0, r"a.exr: 8 x 8, 32 triangles, meta_table on cpu .*", NO_OUTPUT),
     ("render cornell.glb -o a.exr --size 8x8 --spp 1 --backend cpu --traversal kd_stack", 0,
      r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
@@ -285,7 +285,7 @@ CASES = [
     ("render cornell.glb -o a.exr --sise 5x5", 2, NO_OUTPUT, r"render: unknown argument `--sise`; did you mean `--size`\? .*"),
     ("render cornell.glb b.glb -o a.exr", 2, NO_OUTPUT, r"render: unknown argument `b.glb` .*"),
     ("render cornell.glb -o a.exr --size", 2, NO_OUTPUT, r"render: --size: 1 required WxH missing .*"),
-    ("render cornell.glb -o a.exr --size 8x8 --backend cpu --integrator primary", 0, r"a.exr: 8 x 8, 32 triangles, kd_stack on cpu .*", NO_OUTPUT),
+    ("render cornell.glb -o a.exr --size 8x8 --backend cpu --integrator primary", 0, r"a.exr: 8 x 8, 32 triangles, meta_table on cpu .*", NO_OUTPUT),
 ]
 
 
