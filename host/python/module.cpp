@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cfenv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -109,14 +110,35 @@ void translate(const std::exception_ptr failure) {
     }
 }
 
+// Lets other threads of Python run, and computes as IEEE 754 says meanwhile. Libraries that are compiled with
+// -ffast-math switch small numbers off in the thread that loads them, and programs choose how numbers are
+// rounded; pictures do not depend on that.
+class WithoutPython {
+  public:
+    WithoutPython() {
+        std::fegetenv(&found_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    ~WithoutPython() { std::fesetenv(&found_); }
+    WithoutPython(const WithoutPython&) = delete;
+    WithoutPython& operator=(const WithoutPython&) = delete;
+
+  private:
+    py::gil_scoped_release release_;
+    std::fenv_t found_{};
+};
+
 // Runs `work` in a thread of its own, because only Python's main thread hears of Ctrl-C. Then `work` is asked
 // to end early, and its result is dropped.
 template <class Work>
 auto interruptible(const Work& work) {
     std::atomic<bool> isStopped = false;
-    auto result = std::async(std::launch::async, [&] { return work(isStopped); });
+    auto result = std::async(std::launch::async, [&] {
+        std::fesetenv(FE_DFL_ENV); // the thread has the environment of the one that starts it
+        return work(isStopped);
+    });
     {
-        const py::gil_scoped_release release;
+        const WithoutPython unlocked;
         while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
             const py::gil_scoped_acquire acquire;
             if (!isStopped && PyErr_CheckSignals() != 0) {
@@ -275,7 +297,7 @@ py::dict compare(const Image& a, const Image& b, const double maxAbs, const doub
     }
     Comparison comparison;
     {
-        const py::gil_scoped_release release;
+        const WithoutPython unlocked;
         comparison = compareImages(a, b, {maxAbs, maxFailPercent});
     }
     py::list channels;
@@ -311,14 +333,14 @@ void addScene(py::module_& module) {
     using Pointer = std::shared_ptr<LoadedScene>;
     py::class_<LoadedScene, Pointer> scene(module, "Scene");
     scene.def(py::init([](const std::string& path, Words words) {
-                  const py::gil_scoped_release release;
+                  const WithoutPython unlocked;
                   return std::make_shared<LoadedScene>(path, std::move(words));
               }),
               py::arg("path"), py::arg("words"));
     scene.def(py::init([](const std::string& name, const py::bytes& glb, Words words) {
                   const std::string_view view(glb);
                   std::vector<unsigned char> bytes(view.begin(), view.end());
-                  const py::gil_scoped_release release;
+                  const WithoutPython unlocked;
                   return std::make_shared<LoadedScene>(name, std::move(bytes), std::move(words));
               }),
               py::arg("name"), py::arg("glb"), py::arg("words"));
@@ -377,13 +399,13 @@ void addFilm(py::module_& module) {
     film.def("rgba8", [](const Film& self, const Words& words) {
         std::vector<std::uint8_t> bytes;
         {
-            const py::gil_scoped_release release;
+            const WithoutPython unlocked;
             bytes = self.rgba8(words);
         }
         return ownedArray<std::uint8_t>({self.image().height, self.image().width, 4}, bytes.data());
     });
     film.def("save", [](const Film& self, const std::string& path, const Words& words) {
-        const py::gil_scoped_release release;
+        const WithoutPython unlocked;
         self.save(path, words);
     });
     film.def_property_readonly("is_complete", &Film::isComplete);
@@ -407,7 +429,7 @@ void addFilm(py::module_& module) {
 // Other threads of Python run while a tracer waits for its device.
 struct DeleteTracer {
     void operator()(Tracer* const tracer) const {
-        const py::gil_scoped_release release;
+        const WithoutPython unlocked;
         delete tracer;
     }
 };
@@ -416,7 +438,7 @@ void addTracer(py::module_& module) {
     using Pointer = std::unique_ptr<Tracer, DeleteTracer>;
     py::class_<Tracer, Pointer> tracer(module, "Tracer");
     tracer.def(py::init([](std::shared_ptr<LoadedScene> scene, const bool onGpu, const std::string& device) {
-                   const py::gil_scoped_release release;
+                   const WithoutPython unlocked;
                    beginWork();
                    return new Tracer(std::move(scene), onGpu ? openDevice(device) : nullptr);
                }),
@@ -426,7 +448,7 @@ void addTracer(py::module_& module) {
         const std::vector<RayQuery> rays = raysOf(origins, directions, tMin, tMax);
         Hits hits;
         {
-            const py::gil_scoped_release release;
+            const WithoutPython unlocked;
             hits = self.trace(rays);
         }
         const auto count = static_cast<py::ssize_t>(rays.size());
@@ -462,7 +484,7 @@ PYBIND11_MODULE(_native, module) {
     addFilm(module);
     addTracer(module);
     module.def("read_image", [](const std::string& path) {
-        const py::gil_scoped_release release;
+        const WithoutPython unlocked;
         beginFileWork();
         return readImage(path);
     });

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Tests the Python module against the program, which writes the same bytes, and against closed forms."""
+import ctypes
 import inspect
 import json
 import math
 import os
+import platform
 import signal
 import struct
 import subprocess
@@ -125,6 +127,24 @@ class Module(program.ProgramTest):
             np.testing.assert_array_equal(of_bytes["motion"], film["motion"])
             self.assertGreater(film["motion.X"].max(), 0)
         self.assert_refused(metamarch.InvalidArgument, "time", metamarch.render, metamarch.load(file), **options)
+
+    def test_same_bytes_whatever_the_rounding(self):
+        libm = ctypes.CDLL("libm.so.6")
+        upward = {"x86_64": 0x800, "aarch64": 0x400000}[platform.machine()]  # FE_UPWARD of fenv.h
+
+        def work():
+            scene = metamarch.load(CORNELL)
+            film = metamarch.render(scene, size=(12, 8), spp=2, backend="cpu")
+            hits = metamarch.Tracer(scene).trace([(0, 0.3, 3)], [(0.1, 0.1, -1)])
+            return self.bytes_of(film), film.rgba8().tobytes(), [part.tobytes() for part in hits]
+
+        expected = work()
+        libm.fesetround(upward)
+        try:
+            self.assertEqual(work(), expected)
+            self.assertEqual(libm.fegetround(), upward)
+        finally:
+            libm.fesetround(0)
 
     def test_without_a_driver_the_processor_renders(self):
         code = ("import sys, metamarch; film = metamarch.render(metamarch.load(sys.argv[1]), size=(4, 4), spp=1);"
