@@ -6,8 +6,10 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer GivenBuffer { uint given[]; };
 layout(std430, binding = 1) writeonly buffer ResultBuffer { uvec4 results[]; };
-layout(std430, binding = 2) writeonly buffer MoreBuffer { uvec2 more[]; };
+layout(std430, binding = 2) writeonly buffer MoreBuffer { uvec4 more[]; };
 layout(std430, binding = 3) buffer SumBuffer { uint sum; };
+layout(std430, binding = 4) readonly buffer SettingBuffer { Setting kept[]; };
+layout(push_constant) uniform PushBlock { Setting pushed; };
 
 void main() {
     const uint i = gl_WorkGroupID.x * 64u + gl_LocalInvocationIndex;
@@ -16,6 +18,6 @@ void main() {
         return;
     }
     results[i] = uvec4(early(x), turns(x), nested(x), structs(x));
-    more[i] = uvec2(numbers(x), halves(x));
+    more[i] = uvec4(numbers(x), halves(x), outOfTwo(x), settings(pushed, kept[1], x));
     atomicAdd(sum, x);
 }

@@ -25,6 +25,13 @@ struct Whole {
     uint last;
 };
 
+// Comes from push constants or a buffer, the same for all lanes, until they choose.
+struct Setting {
+    uint factor;
+    uint added;
+    float scale;
+};
+
 SHARED_FN uint early(const uint x) {
     if ((x & 1u) != 0u) {
         return x * 3u;
@@ -79,6 +86,24 @@ SHARED_FN uint nested(const uint x) {
     return result;
 }
 
+// A lane returns out of two loops while others go on in both.
+SHARED_FN uint outOfTwo(const uint x) {
+    uint sum = x;
+    for (uint i = 0u; i < 5u; ++i) {
+        for (uint j = 0u; j <= (x & 3u); ++j) {
+            sum = sum * 5u + i * 2u + j;
+            if (sum % 23u == 4u) {
+                return sum ^ (i << 16u);
+            }
+            if (sum % 7u == 1u) {
+                break;
+            }
+        }
+        sum += 3u;
+    }
+    return sum;
+}
+
 SHARED_FN bool isOdd(const uint x, const uint depth) {
     bool isIt = (x & 1u) != 0u;
     while (depth > 100u) {
@@ -110,6 +135,28 @@ SHARED_FN uint structs(const uint x) {
     const vec3 sum = whole.part.sum;
     return whole.part.count + floatBitsToUint(sum.x) + floatBitsToUint(sum.y) * 3u +
            floatBitsToUint(sum.z) * 5u + whole.last;
+}
+
+SHARED_FN Setting chosen(const Setting a, const Setting b, const uint x) {
+    Setting setting = a;
+    if ((x & 8u) != 0u) {
+        setting = b;
+    } else if (x % 11u == 0u) {
+        setting.factor = x;
+    }
+    return setting;
+}
+
+SHARED_FN uint settings(const Setting a, const Setting b, const uint x) {
+    const Setting setting = chosen(a, b, x);
+    uint sum = uint(float(x & 0xfffu) * setting.scale) * setting.factor + setting.added;
+    if (a.factor < b.factor) { // the same for all lanes
+        sum += 17u;
+    }
+    for (uint i = 0u; i < b.added; ++i) { // the same number of turns
+        sum = sum * 3u + (x >> i);
+    }
+    return sum;
 }
 
 // Numbers at the borders. Conversions stay within what both languages define.

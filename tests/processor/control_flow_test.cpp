@@ -11,7 +11,10 @@
 
 namespace metamarch {
 
-void control_flow(const KernelInput& input);
+void control_flow_baseline(const KernelInput& input);
+#ifdef __x86_64__
+void control_flow_avx2(const KernelInput& input);
+#endif
 
 namespace tests {
 namespace {
@@ -20,34 +23,55 @@ constexpr std::uint32_t kSize = 64; // of a workgroup
 constexpr std::uint32_t kUntouched = 0x12345678u;
 constexpr std::uint32_t kFirstSum = 5;
 
+constexpr Setting kPushed{3, 1000, 0.75f};
+constexpr Setting kKept[] = {{99, 99, 99.0f}, {5, 4, 1.5f}};
+
 struct Output {
     std::vector<glm::uvec4> results;
-    std::vector<glm::uvec2> more;
+    std::vector<glm::uvec4> more;
     std::uint32_t sum;
 };
 
-// Runs the kernel for whole workgroups.
-Output run(std::vector<std::uint32_t>& given) {
+// The kernel for each set of instructions that this processor has.
+class Translate : public testing::TestWithParam<Kernel> {};
+
+std::vector<Kernel> kernels() {
+    std::vector<Kernel> kernels{control_flow_baseline};
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2")) {
+        kernels.push_back(control_flow_avx2);
+    }
+#endif
+    return kernels;
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, Translate, testing::ValuesIn(kernels()),
+                         [](const auto& instance) { return instance.index == 0 ? "baseline" : "avx2"; });
+
+// Runs a kernel for whole workgroups.
+Output run(const Kernel kernel, std::vector<std::uint32_t>& given) {
     Output output{std::vector(given.size(), glm::uvec4(kUntouched)),
-                  std::vector(given.size(), glm::uvec2(kUntouched)), kFirstSum};
+                  std::vector(given.size(), glm::uvec4(kUntouched)), kFirstSum};
     KernelInput input{};
     input.buffers[0] = reinterpret_cast<char*>(given.data());
     input.buffers[1] = reinterpret_cast<char*>(output.results.data());
     input.buffers[2] = reinterpret_cast<char*>(output.more.data());
     input.buffers[3] = reinterpret_cast<char*>(&output.sum);
+    input.buffers[4] = const_cast<char*>(reinterpret_cast<const char*>(kKept));
+    input.push = reinterpret_cast<const char*>(&kPushed);
     input.invocations = kSize;
     for (input.workgroup = 0; input.workgroup < given.size() / kSize; ++input.workgroup) {
-        control_flow(input);
+        kernel(input);
     }
     return output;
 }
 
-TEST(Translate, lanesComputeWhatTheSourceSays) {
+TEST_P(Translate, lanesComputeWhatTheSourceSays) {
     std::vector<std::uint32_t> given(std::size_t{kSize} * 1024);
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i % 7 == 3 ? 0xffffffffu : i < 1000 ? i : i * 2654435761u >> (i % 23);
     }
-    const Output output = run(given);
+    const Output output = run(GetParam(), given);
 
     std::uint32_t expectedSum = kFirstSum;
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -61,18 +85,20 @@ TEST(Translate, lanesComputeWhatTheSourceSays) {
         ASSERT_EQ(output.results[i].z, nested(x)) << x;
         ASSERT_EQ(output.results[i].w, structs(x)) << x;
         ASSERT_EQ(output.more[i].x, numbers(x)) << x;
+        ASSERT_EQ(output.more[i].z, outOfTwo(x)) << x;
+        ASSERT_EQ(output.more[i].w, settings(kPushed, kKept[1], x)) << x;
         expectedSum += x;
     }
     EXPECT_EQ(output.sum, expectedSum);
 }
 
 // GLM's function keeps no NaN; IEEE 754's value of each half is written out here.
-TEST(Translate, halvesHaveTheirValues) {
+TEST_P(Translate, halvesHaveTheirValues) {
     std::vector<std::uint32_t> given(0x10000);
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i;
     }
-    const Output output = run(given);
+    const Output output = run(GetParam(), given);
     const auto bitsOf = [](const std::uint32_t half) {
         const int exponent = static_cast<int>(half >> 10 & 31u);
         const auto mantissa = static_cast<float>(half & 1023u);
