@@ -16,14 +16,15 @@ namespace metamarch::python {
 namespace {
 
 // Returns null for the cpu. Where nobody chooses, this chooses the cpu, also in `words`, unless there is a
-// graphics processor: software drivers are slower and draw the same picture.
+// graphics processor: beside software drivers the kernels of the CPU draw the same picture, and Clang's are
+// faster.
 std::shared_ptr<OpenDevice> deviceFor(Choice& choice, Words& words) {
     const cli::RenderOptions& options = choice.options;
     if (options.backend == cli::Backend::cpu) {
         return nullptr;
     }
-    const bool isChosen =
-        choice.settings.at("backend").isGiven() || !options.device.empty() || !options.traversal.empty();
+    const bool isChosen = choice.settings.at("backend").isGiven() || !options.device.empty() ||
+                          !(options.traversal.empty() || render::isOnCpu(options.traversal));
     try {
         std::shared_ptr<OpenDevice> device = openDevice(options.device);
         if (isChosen || !device->device.report().keepsBits()) {

@@ -13,6 +13,7 @@
 #include "metamarch/vulkan/refusal.h"
 
 #include <nlohmann/json.hpp>
+#include <tbb/task_arena.h>
 
 #include <array>
 #include <cfenv>
@@ -110,23 +111,24 @@ void translate(const std::exception_ptr failure) {
     }
 }
 
-// Lets other threads of Python run, and computes as IEEE 754 says meanwhile. Libraries that are compiled with
-// -ffast-math switch small numbers off in the thread that loads them, and programs choose how numbers are
-// rounded; pictures do not depend on that.
-class WithoutPython {
-  public:
-    WithoutPython() {
-        std::fegetenv(&found_);
-        std::fesetenv(FE_DFL_ENV);
-    }
-    ~WithoutPython() { std::fesetenv(&found_); }
-    WithoutPython(const WithoutPython&) = delete;
-    WithoutPython& operator=(const WithoutPython&) = delete;
-
-  private:
-    py::gil_scoped_release release_;
-    std::fenv_t found_{};
-};
+// Calls `work` while other threads of Python run, and computes as IEEE 754 says. Libraries that are compiled
+// with -ffast-math switch small numbers off in the thread that loads them, and programs choose how numbers
+// are rounded; pictures do not depend on that.
+template <class Work>
+auto withoutPython(const Work& work) {
+    const py::gil_scoped_release release;
+    struct Floats {
+        Floats() {
+            std::fegetenv(&found);
+            std::fesetenv(FE_DFL_ENV);
+        }
+        ~Floats() { std::fesetenv(&found); }
+        std::fenv_t found{};
+    };
+    const Floats floats;
+    // TBB computes as the thread did that made the arena.
+    return tbb::task_arena().execute(work);
+}
 
 // Runs `work` in a thread of its own, because only Python's main thread hears of Ctrl-C. Then `work` is asked
 // to end early, and its result is dropped.
@@ -138,7 +140,7 @@ auto interruptible(const Work& work) {
         return work(isStopped);
     });
     {
-        const WithoutPython unlocked;
+        const py::gil_scoped_release release;
         while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
             const py::gil_scoped_acquire acquire;
             if (!isStopped && PyErr_CheckSignals() != 0) {
@@ -295,11 +297,9 @@ py::dict compare(const Image& a, const Image& b, const double maxAbs, const doub
     if (!(maxAbs >= 0.0) || !(maxFailPercent >= 0.0)) {
         throw Error(ErrorKind::invalidArgument, "give bounds of 0 or more", {"maxAbs", "maxFailPercent"});
     }
-    Comparison comparison;
-    {
-        const WithoutPython unlocked;
-        comparison = compareImages(a, b, {maxAbs, maxFailPercent});
-    }
+    const Comparison comparison = withoutPython([&] {
+        return compareImages(a, b, {maxAbs, maxFailPercent});
+    });
     py::list channels;
     for (const ChannelComparison& channel : comparison.channels) {
         channels.append(dictOf(channel));
@@ -333,15 +333,15 @@ void addScene(py::module_& module) {
     using Pointer = std::shared_ptr<LoadedScene>;
     py::class_<LoadedScene, Pointer> scene(module, "Scene");
     scene.def(py::init([](const std::string& path, Words words) {
-                  const WithoutPython unlocked;
-                  return std::make_shared<LoadedScene>(path, std::move(words));
+                  return withoutPython([&] { return std::make_shared<LoadedScene>(path, std::move(words)); });
               }),
               py::arg("path"), py::arg("words"));
     scene.def(py::init([](const std::string& name, const py::bytes& glb, Words words) {
                   const std::string_view view(glb);
                   std::vector<unsigned char> bytes(view.begin(), view.end());
-                  const WithoutPython unlocked;
-                  return std::make_shared<LoadedScene>(name, std::move(bytes), std::move(words));
+                  return withoutPython([&] {
+                      return std::make_shared<LoadedScene>(name, std::move(bytes), std::move(words));
+                  });
               }),
               py::arg("name"), py::arg("glb"), py::arg("words"));
     scene.def("contents", [](const LoadedScene& self) {
@@ -397,16 +397,11 @@ void addFilm(py::module_& module) {
     film.def("channel", channelsOf, py::arg("name"));
     film.def("image", [](const Film& self) { return self.image(); });
     film.def("rgba8", [](const Film& self, const Words& words) {
-        std::vector<std::uint8_t> bytes;
-        {
-            const WithoutPython unlocked;
-            bytes = self.rgba8(words);
-        }
+        const std::vector<std::uint8_t> bytes = withoutPython([&] { return self.rgba8(words); });
         return ownedArray<std::uint8_t>({self.image().height, self.image().width, 4}, bytes.data());
     });
     film.def("save", [](const Film& self, const std::string& path, const Words& words) {
-        const WithoutPython unlocked;
-        self.save(path, words);
+        withoutPython([&] { self.save(path, words); });
     });
     film.def_property_readonly("is_complete", &Film::isComplete);
     film.def_property_readonly("warnings", &Film::warnings);
@@ -429,7 +424,7 @@ void addFilm(py::module_& module) {
 // Other threads of Python run while a tracer waits for its device.
 struct DeleteTracer {
     void operator()(Tracer* const tracer) const {
-        const WithoutPython unlocked;
+        const py::gil_scoped_release release;
         delete tracer;
     }
 };
@@ -438,19 +433,16 @@ void addTracer(py::module_& module) {
     using Pointer = std::unique_ptr<Tracer, DeleteTracer>;
     py::class_<Tracer, Pointer> tracer(module, "Tracer");
     tracer.def(py::init([](std::shared_ptr<LoadedScene> scene, const bool onGpu, const std::string& device) {
-                   const WithoutPython unlocked;
-                   beginWork();
-                   return new Tracer(std::move(scene), onGpu ? openDevice(device) : nullptr);
+                   return withoutPython([&] {
+                       beginWork();
+                       return new Tracer(std::move(scene), onGpu ? openDevice(device) : nullptr);
+                   });
                }),
                py::arg("scene"), py::arg("on_gpu"), py::arg("device"));
     tracer.def("trace", [](Tracer& self, const Rows& origins, const Rows& directions, const float tMin,
                            const float tMax) {
         const std::vector<RayQuery> rays = raysOf(origins, directions, tMin, tMax);
-        Hits hits;
-        {
-            const WithoutPython unlocked;
-            hits = self.trace(rays);
-        }
+        const Hits hits = withoutPython([&] { return self.trace(rays); });
         const auto count = static_cast<py::ssize_t>(rays.size());
         return py::make_tuple(ownedArray<float>({count}, hits.t.data()),
                               ownedArray<std::int32_t>({count}, hits.triangle.data()),
@@ -484,9 +476,10 @@ PYBIND11_MODULE(_native, module) {
     addFilm(module);
     addTracer(module);
     module.def("read_image", [](const std::string& path) {
-        const WithoutPython unlocked;
-        beginFileWork();
-        return readImage(path);
+        return withoutPython([&] {
+            beginFileWork();
+            return readImage(path);
+        });
     });
     module.def("compare", compare, py::arg("a"), py::arg("b"), py::arg("max_abs"),
                py::arg("max_fail_percent"));

@@ -55,7 +55,7 @@ std::vector<RayResult> Tracer::results(const std::span<const RayQuery> rays) {
     if (onDeviceTracer_) {
         return useDevice(onDevice_->owner, [&] { return onDeviceTracer_->trace(rays); });
     }
-    return render::traceOnProcessor(*prepared_.structure, rays);
+    return render::traceOnCpu(*prepared_.structure, rays);
 }
 
 Hits Tracer::trace(const std::span<const RayQuery> rays) {

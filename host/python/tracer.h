@@ -26,7 +26,7 @@ class Tracer {
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;
 
-    // Throws what RayTracer::trace throws.
+    // Throws what RayTracer::trace or traceOnCpu throws.
     Hits trace(std::span<const RayQuery> rays);
 
   private:

@@ -84,8 +84,8 @@ bool HostPathSampler::take(const std::uint32_t endSample, const OnProgress& onPr
 
 bool JudgePathSampler::takeBlock(const std::uint32_t first, const std::uint32_t samples, FilmData& block,
                                  const OnProgress& onProgress) {
-    return takeBlockOnCpu(structure_, scene_, work().settings, work().camera, work().area, first, samples,
-                          work().request, block, onProgress);
+    return takeBlockByJudge(structure_, scene_, work().settings, work().camera, work().area, first, samples,
+                            work().request, block, onProgress);
 }
 
 CpuPathSampler::CpuPathSampler(const AccelerationStructure& structure, const ShadingScene& scene,
@@ -104,20 +104,6 @@ CpuPathSampler::CpuPathSampler(const AccelerationStructure& structure, const Sha
     kernel_ = kernel != nullptr ? kernel : pathKernels(features).front().run;
 }
 
-// Calls `visit` with each pixel of the area that is in a tile: its number in the tile, and its index in the
-// film.
-template <class Visit>
-void CpuPathSampler::forEachPixelOf(const std::uint32_t place, const Visit& visit) const {
-    const std::uint32_t tile = tileAt(tiling_.order, place);
-    const uvec2 corner = uvec2(tile % tiling_.order.perRow, tile / tiling_.order.perRow) * kTileSide;
-    for (std::uint32_t i = 0; i < kTilePixels; ++i) {
-        const uvec2 pixel = corner + pixelInTile(i);
-        if (pixel.x < work().area.width() && pixel.y < work().area.height()) {
-            visit(i, std::size_t{pixel.y} * work().area.width() + pixel.x);
-        }
-    }
-}
-
 // The film that the kernel sees is that of the tile alone.
 void CpuPathSampler::takeTile(const std::uint32_t place, const std::uint32_t first,
                               const std::uint32_t samples, FilmData& block) const {
@@ -126,7 +112,7 @@ void CpuPathSampler::takeTile(const std::uint32_t place, const std::uint32_t fir
     std::array<LightParts, kTilePixels> light;
     std::array<std::array<std::uint32_t, kBlockSamples>, kTilePixels> hits;
     PathStatus status{};
-    forEachPixelOf(place, [&](const std::uint32_t i, const std::size_t index) {
+    tiling_.forEachPixelAt(place, [&](const std::uint32_t i, const std::size_t index) {
         pixels[i] = block.pixels[index];
         if (!block.light.empty()) {
             light[i] = block.light[index];
@@ -151,7 +137,7 @@ void CpuPathSampler::takeTile(const std::uint32_t place, const std::uint32_t fir
         throw std::logic_error("the kernel of the processor left pixels without their samples");
     }
 
-    forEachPixelOf(place, [&](const std::uint32_t i, const std::size_t index) {
+    tiling_.forEachPixelAt(place, [&](const std::uint32_t i, const std::size_t index) {
         if (!block.hits.empty()) {
             for (std::uint32_t sample = block.pixels[index].samples; sample < pixels[i].samples; ++sample) {
                 if (hits[i][sample] != kNoTriangle) {
@@ -171,7 +157,7 @@ bool CpuPathSampler::takeBlock(const std::uint32_t first, const std::uint32_t sa
     std::vector<std::uint32_t> missing; // places of tiles
     for (std::uint32_t place = 0; place < tiling_.count; ++place) {
         bool isWhole = true;
-        forEachPixelOf(place, [&](std::uint32_t, const std::size_t index) {
+        tiling_.forEachPixelAt(place, [&](std::uint32_t, const std::size_t index) {
             isWhole = isWhole && block.pixels[index].samples >= samples;
         });
         if (!isWhole) {

@@ -101,8 +101,6 @@ class CpuPathSampler : public HostPathSampler {
   private:
     bool takeBlock(std::uint32_t first, std::uint32_t samples, FilmData& block,
                    const OnProgress& onProgress) override;
-    template <class Visit>
-    void forEachPixelOf(std::uint32_t place, const Visit& visit) const;
     void takeTile(std::uint32_t place, std::uint32_t first, std::uint32_t samples, FilmData& block) const;
 
     ShadingArrays arrays_;

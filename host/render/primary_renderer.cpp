@@ -20,17 +20,13 @@ namespace {
 constexpr std::uint32_t kTilesPerSubmission = 1u << 13u;
 
 // Returns true if every pixel has its sample.
-bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uint32_t tileIndex,
-              const std::uint32_t perRow, const Camera& camera, std::vector<FilmPixel>& pixels) {
-    const uvec2 corner = uvec2(tileIndex % perRow, tileIndex / perRow) * kTileSide;
+bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const Tiling& tiling,
+              const std::uint32_t place, std::vector<FilmPixel>& pixels) {
     bool isWhole = true;
-    for (std::uint32_t i = 0; i < kTilePixels; ++i) {
-        const uvec2 at = corner + pixelInTile(i);
-        if (at.x < camera.width && at.y < camera.height) {
-            pixels[std::size_t{at.y} * camera.width + at.x] = tile[i];
-            isWhole = isWhole && tile[i].samples != 0;
-        }
-    }
+    tiling.forEachPixelAt(place, [&](const std::uint32_t i, const std::size_t index) {
+        pixels[index] = tile[i];
+        isWhole = isWhole && tile[i].samples != 0;
+    });
     return isWhole;
 }
 
@@ -39,7 +35,8 @@ bool copyTile(const std::span<const FilmPixel, kTilePixels> tile, const std::uin
 DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuffers& scene,
                                    const std::string& traversal, const Camera& camera,
                                    const OnProgress& onProgress) {
-    const auto [order, tiles] = Tiling(camera);
+    const Tiling tiling(camera);
+    const std::uint32_t tiles = tiling.count;
     WorkSize work(std::min(tiles, kTilesPerSubmission));
 
     vulkan::ComputePipeline pipeline = scene.makePipeline(
@@ -61,14 +58,14 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
         const std::uint32_t count = std::min(work.units(), tiles - next);
         const std::uint64_t bytes = std::uint64_t{count} * kTilePixels * sizeof(FilmPixel);
         const double seconds = submission.run([&](vulkan::Commands& commands) {
-            commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{next, order});
+            commands.dispatch(pipeline, {count, 1, 1}, PrimaryPush{next, tiling.order});
             commands.copy(output, 0, readback, 0, bytes);
         });
         const std::span tilePixels(reinterpret_cast<const FilmPixel*>(readback.mapped().data()),
                                    std::size_t{count} * kTilePixels);
         for (std::uint32_t i = 0; i < count; ++i) {
             const auto tile = tilePixels.subspan(std::size_t{i} * kTilePixels).first<kTilePixels>();
-            if (!copyTile(tile, tileAt(order, next + i), order.perRow, camera, render.film.pixels)) {
+            if (!copyTile(tile, tiling, next + i, render.film.pixels)) {
                 refuseCutShort(kCutShort, device, traversal);
             }
         }
@@ -80,9 +77,9 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
     return render;
 }
 
-std::vector<FilmPixel> renderPrimaryOnProcessor(const AccelerationStructure& structure,
-                                                const ShadingData& shading, const Camera& camera,
-                                                const OnProgress& onProgress, const Kernel kernel) {
+std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure, const ShadingData& shading,
+                                          const Camera& camera, const OnProgress& onProgress,
+                                          const Kernel kernel) {
     KernelInput input = inputOver(structure);
     bindValues(input, kBindMaterialOfTriangle, std::span(shading.materialOfTriangle));
     bindValues(input, kBindMaterials, std::span(shading.materials));
@@ -97,7 +94,7 @@ std::vector<FilmPixel> renderPrimaryOnProcessor(const AccelerationStructure& str
         KernelInput ofTile = withPush(input, push);
         bindOutput(ofTile, kBindOutput, tile.data());
         kernel(ofTile);
-        if (!copyTile(tile, tileAt(tiling.order, place), tiling.order.perRow, camera, pixels)) {
+        if (!copyTile(tile, tiling, place, pixels)) {
             throw std::logic_error("the kernel of the processor left pixels without their sample");
         }
     };

@@ -22,9 +22,8 @@ DeviceRender renderPrimaryOnDevice(const vulkan::Device& device, const SceneBuff
 // Returns camera.width * camera.height pixels in rows from the top. `kernel` is one of primaryKernels(). If
 // `onProgress` cancels, the missing pixels are emptyPixel(). Throws Error(outOfMemory) if an array of the
 // structure has more than 4 GiB.
-std::vector<FilmPixel> renderPrimaryOnProcessor(const AccelerationStructure& structure,
-                                                const ShadingData& shading, const Camera& camera,
-                                                const OnProgress& onProgress = {},
-                                                Kernel kernel = primaryKernels().front().run);
+std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure, const ShadingData& shading,
+                                          const Camera& camera, const OnProgress& onProgress = {},
+                                          Kernel kernel = primaryKernels().front().run);
 
 } // namespace metamarch::render

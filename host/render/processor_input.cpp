@@ -25,16 +25,16 @@ KernelInput inputOver(const AccelerationStructure& structure) {
 }
 
 void bindBytes(KernelInput& input, const std::uint32_t binding, const std::span<const std::byte> bytes) {
+    // Lanes without work read the first entry, so each array has one. No entry is larger.
     static constexpr std::array<std::byte, sizeof(TriangleRecord)> kNone{};
     // Lanes count bytes in 32 bits.
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max()) {
         throw Error(ErrorKind::outOfMemory,
-                    fmt::format("an array of the scene takes {}, more than the 4 GiB that the cpu's kernel "
-                                "reads; kd_stack reads more",
+                    fmt::format("an array of the scene takes {}, more than the 4 GiB that the cpu's kernels "
+                                "read; kd_stack or a gpu reads more",
                                 vulkan::byteText(bytes.size())),
-                    {"traversal"});
+                    {"traversal", "backend"});
     }
-    // Lanes without work read the first entry.
     const std::byte* const first = bytes.empty() ? kNone.data() : bytes.data();
     input.buffers[binding] = const_cast<char*>(reinterpret_cast<const char*>(first));
 }

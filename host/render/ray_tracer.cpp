@@ -13,7 +13,6 @@ namespace {
 
 // A thread of the processor takes so many rays at a time: enough that a call of the kernel costs little.
 constexpr std::size_t kRaysOfPiece = 1024;
-constexpr std::uint32_t kLanes = 8; // KernelInput::invocations is a multiple
 
 } // namespace
 
@@ -34,8 +33,8 @@ std::vector<RayResult> RayTracer::trace(const std::span<const RayQuery> rays) {
     return results;
 }
 
-std::vector<RayResult> traceOnProcessor(const AccelerationStructure& structure,
-                                        const std::span<const RayQuery> rays, const Kernel kernel) {
+std::vector<RayResult> traceOnCpu(const AccelerationStructure& structure,
+                                  const std::span<const RayQuery> rays, const Kernel kernel) {
     const KernelInput input = inputOver(structure);
     std::vector<RayResult> results(rays.size());
     const auto traceOnePiece = [&](const unsigned piece) {
@@ -44,11 +43,12 @@ std::vector<RayResult> traceOnProcessor(const AccelerationStructure& structure,
         const std::span found = std::span(results).subspan(first, some.size());
         const RaysPush push{0, static_cast<std::uint32_t>(some.size())};
         KernelInput ofPiece = withPush(input, push);
+        constexpr unsigned kLanes = KernelInput::kLanes;
         ofPiece.invocations = (push.end + kLanes - 1) / kLanes * kLanes;
         bindValues(ofPiece, kBindInput, some);
         bindOutput(ofPiece, kBindOutput, found.data());
         kernel(ofPiece);
-        if (std::ranges::count(found, kCutShort, &RayResult::steps) > 0) {
+        if (std::ranges::find(found, kCutShort, &RayResult::steps) != found.end()) {
             throw std::logic_error("the kernel of the processor left a ray before its end");
         }
     };

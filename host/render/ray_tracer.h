@@ -31,8 +31,7 @@ class RayTracer {
 
 // Returns the closest hit of each ray, in the order of `rays`. `kernel` is one of rayKernels(). Throws
 // Error(outOfMemory) if an array of the structure has more than 4 GiB.
-std::vector<RayResult> traceOnProcessor(const AccelerationStructure& structure,
-                                        std::span<const RayQuery> rays,
-                                        Kernel kernel = rayKernels().front().run);
+std::vector<RayResult> traceOnCpu(const AccelerationStructure& structure, std::span<const RayQuery> rays,
+                                  Kernel kernel = rayKernels().front().run);
 
 } // namespace metamarch::render

@@ -246,9 +246,9 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
     if (settings.isPrimary()) {
         const ShadingData shading = makeShadingData(*scene.scene);
         render.drawPrimary([&](const OnProgress& onProgress) {
-            return isByJudge ? renderPrimaryOnCpu(*scene.structure, shading.materials,
-                                                  shading.materialOfTriangle, camera, onProgress)
-                             : renderPrimaryOnProcessor(*scene.structure, shading, camera, onProgress);
+            return isByJudge ? renderPrimaryByJudge(*scene.structure, shading.materials,
+                                                    shading.materialOfTriangle, camera, onProgress)
+                             : renderPrimaryOnCpu(*scene.structure, shading, camera, onProgress);
         });
     } else {
         const PathWork work = render.work();

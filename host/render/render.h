@@ -96,8 +96,9 @@ struct RenderResult : RenderPlace {
     std::vector<std::string> warnings; // about this picture, one line each, for the user
 };
 
-// Renders on the CPU. Throws what traversalOnCpu() throws, and std::invalid_argument if the integrator needs
-// light and the scene has none, or was lit for another integrator.
+// Renders on the CPU. Throws what traversalOnCpu() throws, Error(outOfMemory) if the kernel would read an
+// array of more than 4 GiB, and std::invalid_argument if the integrator needs light and the scene has none,
+// or was lit for another integrator.
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,
                            const RenderControl& control = {});
 

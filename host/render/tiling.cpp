@@ -29,6 +29,7 @@ TileOrder orderOf(const PixelRect& area) {
 
 Tiling::Tiling(const Camera& camera) : Tiling(PixelRect{0, 0, camera.width, camera.height}) {}
 
-Tiling::Tiling(const PixelRect& area) : order(orderOf(area)), count(order.perRow * order.rows) {}
+Tiling::Tiling(const PixelRect& area)
+    : size(area.width(), area.height()), order(orderOf(area)), count(order.perRow * order.rows) {}
 
 } // namespace metamarch::render

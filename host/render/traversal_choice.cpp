@@ -7,6 +7,11 @@
 #include <fmt/format.h>
 
 namespace metamarch::render {
+namespace {
+
+constexpr std::string_view kFastestOnCpu = "meta_table";
+
+} // namespace
 
 std::string_view marchingTraversal(const TableMethod method) {
     return method == TableMethod::rectilinear ? "rectilinear_table" : traversals().front();
@@ -21,14 +26,18 @@ void requireTable(const TableMethod method, const std::string_view traversal) {
     }
 }
 
+bool isOnCpu(const std::string_view traversal) {
+    return traversal == kFastestOnCpu || traversal == "kd_stack";
+}
+
 std::string traversalOnCpu(const std::string& wanted) {
-    const std::string fastest = "meta_table";
-    if (!wanted.empty() && wanted != fastest && wanted != "kd_stack") {
-        throw Error(ErrorKind::invalidArgument,
-                    fmt::format("on the cpu there are kd_stack and {}; {} is for the gpu", fastest, wanted),
-                    {"backend", "traversal"});
+    if (!wanted.empty() && !isOnCpu(wanted)) {
+        throw Error(
+            ErrorKind::invalidArgument,
+            fmt::format("on the cpu there are kd_stack and {}; {} is for the gpu", kFastestOnCpu, wanted),
+            {"backend", "traversal"});
     }
-    return wanted.empty() ? fastest : wanted;
+    return wanted.empty() ? std::string(kFastestOnCpu) : wanted;
 }
 
 } // namespace metamarch::render

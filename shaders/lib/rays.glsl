@@ -11,7 +11,7 @@ WORDS4(rayWords, kBindInput);
 layout(std430, binding = kBindOutput) writeonly buffer HitBuffer { RayResult results[]; };
 layout(push_constant) uniform PushBlock { RaysPush push; };
 
-// Returns the index of the invocation's ray. There is none at push.end and behind it.
+// Returns the index of the invocation's ray. Indices from push.end on have no ray.
 uint rayOfInvocation() {
     return push.first + gl_WorkGroupID.x * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
 }

@@ -6,6 +6,7 @@
 namespace metamarch {
 
 struct KernelInput {
+    static constexpr unsigned kLanes = 8; // invocations that are executed at once
     static constexpr unsigned kBindings = 64;
     static constexpr unsigned kConstants = 8;
 
@@ -16,7 +17,7 @@ struct KernelInput {
     // [SpecId] values of the specialization constants
     std::uint32_t constants[kConstants];
     std::uint32_t workgroup;   // its x; y and z are 0
-    std::uint32_t invocations; // of a workgroup; a multiple of 8
+    std::uint32_t invocations; // of a workgroup; a multiple of kLanes
 };
 
 using Kernel = void (*)(const KernelInput& input);

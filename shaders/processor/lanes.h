@@ -26,7 +26,7 @@ namespace {
 #define LANES inline __attribute__((always_inline))
 
 using uint = std::uint32_t;
-constexpr uint kLanes = 8;
+constexpr uint kLanes = KernelInput::kLanes;
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Ints = int __attribute__((vector_size(4 * kLanes)));
 using Uints = uint __attribute__((vector_size(4 * kLanes)));

@@ -29,20 +29,20 @@ static_assert(kRareFeatures == METAMARCH_RARE_FEATURES, "RARE_FEATURES in CMakeL
 
 // Drops the kernels with instructions that this processor lacks. A kernel's name ends with its set of
 // instructions.
+
+} // namespace
+
 std::vector<ProcessorKernel> executable(std::vector<ProcessorKernel> kernels) {
 #ifdef __x86_64__
     const bool hasAvx2 = __builtin_cpu_supports("avx2");
     const bool hasAvx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
     std::erase_if(kernels, [&](const ProcessorKernel& kernel) {
-        return (!hasAvx2 && kernel.name.ends_with("_avx2")) ||
-               (!hasAvx512 && kernel.name.ends_with("_avx512"));
+        return (!hasAvx2 && kernel.name.ends_with("avx2")) || (!hasAvx512 && kernel.name.ends_with("avx512"));
     });
 #endif
     return kernels;
 }
-
-} // namespace
 
 std::vector<ProcessorKernel> pathKernels(const std::uint32_t features) {
     std::vector<ProcessorKernel> kernels = executable({

@@ -15,6 +15,9 @@ struct ProcessorKernel {
     Kernel run;
 };
 
+// Returns those whose instructions this processor has. A kernel's name ends with its set of instructions.
+std::vector<ProcessorKernel> executable(std::vector<ProcessorKernel> kernels);
+
 // Each of these returns kernels that this processor can execute, the fastest first. All of them walk the meta
 // table, and all give the same bits.
 

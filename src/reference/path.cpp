@@ -96,10 +96,10 @@ PathSample takeSample(const Render& render, const uint x, const uint y, const ui
 
 } // namespace
 
-bool takeBlockOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                    const PathSettings& settings, const Camera& camera, const PixelRect& area,
-                    const std::uint32_t firstSample, const std::uint32_t samples, const FilmRequest& request,
-                    FilmData& block, const OnProgress& onProgress) {
+bool takeBlockByJudge(const AccelerationStructure& structure, const ShadingScene& scene,
+                      const PathSettings& settings, const Camera& camera, const PixelRect& area,
+                      const std::uint32_t firstSample, const std::uint32_t samples,
+                      const FilmRequest& request, FilmData& block, const OnProgress& onProgress) {
     const Render render{structure, scene, settings, camera};
     const uint tilesPerRow = (area.width() + kTileSide - 1) / kTileSide;
     const uint tiles = tilesPerRow * ((area.height() + kTileSide - 1) / kTileSide);
@@ -146,15 +146,15 @@ bool takeBlockOnCpu(const AccelerationStructure& structure, const ShadingScene& 
         [&](const unsigned piece) { forEachPixel(missing[piece], takeSamples); }, onPart);
 }
 
-FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                          const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
-                          const FilmRequest& request) {
+FilmData renderPathsByJudge(const AccelerationStructure& structure, const ShadingScene& scene,
+                            const PathSettings& settings, const Camera& camera, const std::uint32_t samples,
+                            const FilmRequest& request) {
     const PixelRect area{0, 0, camera.width, camera.height};
     FilmData film(area.pixelCount(), request.parts);
     for (std::uint32_t first = 0; first < samples; first += kBlockSamples) {
         FilmData block(area.pixelCount(), request.parts);
-        takeBlockOnCpu(structure, scene, settings, camera, area, first,
-                       std::min(kBlockSamples, samples - first), request, block);
+        takeBlockByJudge(structure, scene, settings, camera, area, first,
+                         std::min(kBlockSamples, samples - first), request, block);
         addBlock(film, block);
     }
     return film;

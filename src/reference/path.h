@@ -13,15 +13,15 @@ namespace metamarch {
 // Takes samples of the pixels of an area until each has `samples` of its block, which begins with sample
 // number `firstSample`. `block` covers the area and holds what has been taken of the block before. Uses all
 // cores. Calls `onProgress` after each tile; cancelled tiles stay as they are, and then it returns false.
-bool takeBlockOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                    const PathSettings& settings, const Camera& camera, const PixelRect& area,
-                    std::uint32_t firstSample, std::uint32_t samples, const FilmRequest& request,
-                    FilmData& block, const OnProgress& onProgress = {});
+bool takeBlockByJudge(const AccelerationStructure& structure, const ShadingScene& scene,
+                      const PathSettings& settings, const Camera& camera, const PixelRect& area,
+                      std::uint32_t firstSample, std::uint32_t samples, const FilmRequest& request,
+                      FilmData& block, const OnProgress& onProgress = {});
 
 // Returns camera.width * camera.height pixels with `samples` samples each, and what `request` asks for
 // besides.
-FilmData renderPathsOnCpu(const AccelerationStructure& structure, const ShadingScene& scene,
-                          const PathSettings& settings, const Camera& camera, std::uint32_t samples,
-                          const FilmRequest& request);
+FilmData renderPathsByJudge(const AccelerationStructure& structure, const ShadingScene& scene,
+                            const PathSettings& settings, const Camera& camera, std::uint32_t samples,
+                            const FilmRequest& request);
 
 } // namespace metamarch

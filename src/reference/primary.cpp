@@ -26,10 +26,10 @@ FilmPixel renderPixel(const AccelerationStructure& structure,
 
 } // namespace
 
-std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure,
-                                          const std::span<const ShadingMaterial> materials,
-                                          const std::span<const std::uint32_t> materialOfTriangle,
-                                          const Camera& camera, const OnProgress& onProgress) {
+std::vector<FilmPixel> renderPrimaryByJudge(const AccelerationStructure& structure,
+                                            const std::span<const ShadingMaterial> materials,
+                                            const std::span<const std::uint32_t> materialOfTriangle,
+                                            const Camera& camera, const OnProgress& onProgress) {
     std::vector<FilmPixel> pixels(std::size_t{camera.width} * camera.height, emptyPixel());
     const auto renderRow = [&](const uint y) {
         for (uint x = 0; x < camera.width; ++x) {

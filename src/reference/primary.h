@@ -12,9 +12,9 @@ namespace metamarch {
 
 // Returns camera.width * camera.height pixels in rows from the top. Uses all cores. Rows that are cancelled
 // hold emptyPixel().
-std::vector<FilmPixel> renderPrimaryOnCpu(const AccelerationStructure& structure,
-                                          std::span<const ShadingMaterial> materials,
-                                          std::span<const std::uint32_t> materialOfTriangle,
-                                          const Camera& camera, const OnProgress& onProgress = {});
+std::vector<FilmPixel> renderPrimaryByJudge(const AccelerationStructure& structure,
+                                            std::span<const ShadingMaterial> materials,
+                                            std::span<const std::uint32_t> materialOfTriangle,
+                                            const Camera& camera, const OnProgress& onProgress = {});
 
 } // namespace metamarch

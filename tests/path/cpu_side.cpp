@@ -19,16 +19,16 @@ render::PathWork CpuSide::ofSampler(const PathWork& work) const {
         settings, camera, {0, 0, camera.width, camera.height}, {work.filmParts, made.scene.triangleMaterial}};
 }
 
-FilmData CpuSide::filmOnCpu(const PathWork& work) const {
+FilmData CpuSide::filmByJudge(const PathWork& work) const {
     const render::PathWork given = ofSampler(work);
-    return renderPathsOnCpu(structure, shading, given.settings, camera, work.samples, given.request);
+    return renderPathsByJudge(structure, shading, given.settings, camera, work.samples, given.request);
 }
 
 std::vector<ProcessorKernel> CpuSide::kernels() const {
     return pathKernels(shading.features | cameraFeatures(camera));
 }
 
-FilmData CpuSide::filmInLanes(const PathWork& work, const Kernel kernel) const {
+FilmData CpuSide::filmOnCpu(const PathWork& work, const Kernel kernel) const {
     render::CpuPathSampler sampler(structure, shading, ofSampler(work), kernel);
     return render::takeSamples(sampler, work.samples);
 }

@@ -20,12 +20,12 @@ class CpuSide {
   public:
     CpuSide(const PathScene& given, Picture size);
 
-    FilmData filmOnCpu(const PathWork& work) const; // by the judge
-    std::vector<FilmPixel> onCpu(const PathWork& work) const { return filmOnCpu(work).pixels; }
+    FilmData filmByJudge(const PathWork& work) const; // by the judge
+    std::vector<FilmPixel> onCpu(const PathWork& work) const { return filmByJudge(work).pixels; }
 
     // Returns the kernels that can draw the scene.
     std::vector<ProcessorKernel> kernels() const;
-    FilmData filmInLanes(const PathWork& work, Kernel kernel) const;
+    FilmData filmOnCpu(const PathWork& work, Kernel kernel) const;
 
   protected:
     render::PathWork ofSampler(const PathWork& work) const; // groups of first hits are materials

@@ -29,7 +29,7 @@ TEST_P(PathGpu, drawsWhatTheCpuDraws) {
     }
     const PathWork work = GetParam().work;
     const BothSides sides(GetParam().make(), {work.side + 12, work.side + 4});
-    const FilmData expected = sides.filmOnCpu(work);
+    const FilmData expected = sides.filmByJudge(work);
     expectPicture(expected.pixels);
     const FilmData film = sides.onDevice(kDefaultTraversal, work).film;
     expectSameFilm(film.pixels, expected.pixels);
@@ -116,7 +116,7 @@ TEST_F(PathGpuWork, partsOfTheFilmAreTheSame) {
     const BothSides sides(gpuPathScenes().front().make(), {28, 20});
     const PathWork all{.samples = 21, .filmParts = kFilmLight | kFilmHits};
     const FilmData film = sides.onDevice(kDefaultTraversal, all).film;
-    const FilmData expected = sides.filmOnCpu(all);
+    const FilmData expected = sides.filmByJudge(all);
     expectSameFilm(film.pixels, expected.pixels);
     expectSameLight(film.light, expected.light);
     expectSameFilm(film.pixels, sides.onCpu({.samples = 21})); // to ask for parts changes nothing else
@@ -143,7 +143,7 @@ TEST_F(PathGpuWork, partsOfTheFilmAreTheSame) {
     EXPECT_GT(sum.y, 0.0);
     EXPECT_GT(sum.z, 0.0);
 
-    const FilmData direct = sides.filmOnCpu({.samples = 2, .maxBounces = 0, .filmParts = kFilmLight});
+    const FilmData direct = sides.filmByJudge({.samples = 2, .maxBounces = 0, .filmParts = kFilmLight});
     for (const LightParts& light : direct.light) {
         ASSERT_EQ(light.indirect, glm::vec3(0.0f));
     }

@@ -70,8 +70,8 @@ TEST(Media, LampBehindAFilledSurfaceIsSeenDirectly) {
     const ShadingScene shading = shadingOf(made);
     PathSettings settings = settingsOf(shading, {.clampLuminance = 1.0f});
     settings.eyeMedia = {mediumOf(last), mediumOf(first), kNoMedium, kNoMedium};
-    const FilmData film = renderPathsOnCpu(structure, shading, settings, makeCamera(made.view, 4, 4, {}), 2,
-                                           {.parts = kFilmLight});
+    const FilmData film = renderPathsByJudge(structure, shading, settings, makeCamera(made.view, 4, 4, {}), 2,
+                                             {.parts = kFilmLight});
     for (std::size_t i = 0; i < film.pixels.size(); ++i) {
         EXPECT_EQ(film.pixels[i].rays, 4u); // two of each sample
         EXPECT_EQ(film.light[i].emission, glm::vec3(14.0f));

@@ -52,7 +52,7 @@ std::vector<FilmPixel> render(const PathScene& made, const PathWork& work) {
     const Camera camera = makeCamera(made.view, work.side, work.side, made.camera);
     PathSettings settings = settingsOf(shading, work);
     settings.eyeMedia = mediaAt(structure, shading, camera.eye);
-    return renderPathsOnCpu(structure, shading, settings, camera, work.samples, {}).pixels;
+    return renderPathsByJudge(structure, shading, settings, camera, work.samples, {}).pixels;
 }
 
 glm::dvec3 meanOf(const FilmPixel& pixel) {

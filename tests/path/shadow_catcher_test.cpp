@@ -21,8 +21,8 @@ FilmData filmOf(const PathScene& made, const PathWork& work) {
     const AccelerationStructure structure = buildAccelerationStructure(made.scene, {});
     const ShadingScene shading = shadingOf(made);
     const Camera camera = makeCamera(made.view, kSide, kSide, made.camera);
-    return renderPathsOnCpu(structure, shading, settingsOf(shading, work), camera, work.samples,
-                            {.parts = kFilmLight});
+    return renderPathsByJudge(structure, shading, settingsOf(shading, work), camera, work.samples,
+                              {.parts = kFilmLight});
 }
 
 // Sums over all pixels.

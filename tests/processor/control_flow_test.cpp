@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A kernel that `translate` has made computes what its source computes as C++.
 #include "control_flow.h"
-#include "metamarch/processor/kernel_input.h"
+#include "metamarch/processor/processor_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@ namespace metamarch {
 void control_flow_baseline(const KernelInput& input);
 #ifdef __x86_64__
 void control_flow_avx2(const KernelInput& input);
+void control_flow_avx512(const KernelInput& input);
 #endif
 
 namespace tests {
@@ -33,20 +34,20 @@ struct Output {
 };
 
 // The kernel for each set of instructions that this processor has.
-class Translate : public testing::TestWithParam<Kernel> {};
+class Translate : public testing::TestWithParam<ProcessorKernel> {};
 
-std::vector<Kernel> kernels() {
-    std::vector<Kernel> kernels{control_flow_baseline};
+std::vector<ProcessorKernel> kernels() {
+    return executable({
 #ifdef __x86_64__
-    if (__builtin_cpu_supports("avx2")) {
-        kernels.push_back(control_flow_avx2);
-    }
+        {"avx512", control_flow_avx512},
+        {"avx2", control_flow_avx2},
 #endif
-    return kernels;
+        {"baseline", control_flow_baseline},
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, Translate, testing::ValuesIn(kernels()),
-                         [](const auto& instance) { return instance.index == 0 ? "baseline" : "avx2"; });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 // Runs a kernel for whole workgroups.
 Output run(const Kernel kernel, std::vector<std::uint32_t>& given) {
@@ -71,7 +72,7 @@ TEST_P(Translate, lanesComputeWhatTheSourceSays) {
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i % 7 == 3 ? 0xffffffffu : i < 1000 ? i : i * 2654435761u >> (i % 23);
     }
-    const Output output = run(GetParam(), given);
+    const Output output = run(GetParam().run, given);
 
     std::uint32_t expectedSum = kFirstSum;
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -98,7 +99,7 @@ TEST_P(Translate, halvesHaveTheirValues) {
     for (std::uint32_t i = 0; i < given.size(); ++i) {
         given[i] = i;
     }
-    const Output output = run(GetParam(), given);
+    const Output output = run(GetParam().run, given);
     const auto bitsOf = [](const std::uint32_t half) {
         const int exponent = static_cast<int>(half >> 10 & 31u);
         const auto mantissa = static_cast<float>(half & 1023u);

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Tests the Python module against the program, which writes the same bytes, and against closed forms."""
-import ctypes
 import inspect
 import json
 import math
 import os
 import platform
+import re
 import signal
 import struct
 import subprocess
@@ -129,22 +129,27 @@ class Module(program.ProgramTest):
         self.assert_refused(metamarch.InvalidArgument, "time", metamarch.render, metamarch.load(file), **options)
 
     def test_same_bytes_whatever_the_rounding(self):
-        libm = ctypes.CDLL("libm.so.6")
+        # NumPy converts in the rounding of the process, so the rays are floats before. The second process rounds upward
+        # from the beginning.
+        code = ("import ctypes, sys, numpy, metamarch\n"
+                "origins, directions = numpy.float32([(0, 0.7, 3)]), numpy.float32([(0.1, 0.1, -1)])\n"
+                "libm = ctypes.CDLL('libm.so.6')\n"
+                "libm.fesetround(int(sys.argv[2]))\n"
+                "scene = metamarch.load(sys.argv[1])\n"
+                "hits = metamarch.Tracer(scene).trace(origins, directions)\n"
+                "film = metamarch.render(scene, size=(12, 8), spp=2, backend='cpu')\n"
+                "film.save(sys.argv[3])\n"
+                "assert metamarch.compare(sys.argv[3], film)\n"
+                "print([part.tobytes() for part in hits], film.rgba8().tobytes(), libm.fegetround() == int(sys.argv[2]))\n")
         upward = {"x86_64": 0x800, "aarch64": 0x400000}[platform.machine()]  # FE_UPWARD of fenv.h
-
-        def work():
-            scene = metamarch.load(CORNELL)
-            film = metamarch.render(scene, size=(12, 8), spp=2, backend="cpu")
-            hits = metamarch.Tracer(scene).trace([(0, 0.3, 3)], [(0.1, 0.1, -1)])
-            return self.bytes_of(film), film.rgba8().tobytes(), [part.tobytes() for part in hits]
-
-        expected = work()
-        libm.fesetround(upward)
-        try:
-            self.assertEqual(work(), expected)
-            self.assertEqual(libm.fegetround(), upward)
-        finally:
-            libm.fesetround(0)
+        printed = []
+        for rounding, name in ((0, "nearest.exr"), (upward, "upward.exr")):
+            done = subprocess.run([sys.executable, "-c", code, CORNELL, str(rounding), name], cwd=self.tmp,
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.stderr, "")
+            printed.append((done.stdout, (self.tmp / name).read_bytes()))
+        self.assertTrue(printed[0][0].endswith("True\n"))
+        self.assertEqual(printed[0], printed[1])
 
     def test_without_a_driver_the_processor_renders(self):
         code = ("import sys, metamarch; film = metamarch.render(metamarch.load(sys.argv[1]), size=(4, 4), spp=1);"
@@ -155,6 +160,14 @@ class Module(program.ProgramTest):
         self.assertEqual((done.stdout, done.stderr), ("cpu\n", ""))
         words = ("--size", "4x4", "--spp", "1", "--backend", "cpu")
         self.assertEqual((self.tmp / "module.exr").read_bytes(), self.program_bytes("program.exr", *words))
+
+    def test_software_drivers_render_only_where_they_are_wanted(self):
+        chosen = re.search(r"^\*.*?^ +type +(\w+)", self.succeed("devices"), re.DOTALL | re.MULTILINE)
+        isSoftware = chosen[1] == "cpu"
+        film = metamarch.render(self.cornell, size=(4, 4), spp=1)
+        self.assertEqual(film.device == "cpu", isSoftware)
+        self.assertNotEqual(metamarch.render(self.cornell, size=(4, 4), spp=1, traversal="kd_ropes").device, "cpu")
+        self.assertNotEqual(self.small(backend="gpu").device, "cpu")
 
     # Films.
 

@@ -186,8 +186,8 @@ TEST_P(Gpu, drawsThePicturesTheJudgeDraws) {
             SCOPED_TRACE(testing::Message() << traversal << " looking along " << view.forward.x << " "
                                             << view.forward.y << " " << view.forward.z);
             const Camera camera = makeCamera(view, effort.width, effort.height);
-            const auto expected = renderPrimaryOnCpu(loaded.structure, loaded.shading.materials,
-                                                     loaded.shading.materialOfTriangle, camera);
+            const auto expected = renderPrimaryByJudge(loaded.structure, loaded.shading.materials,
+                                                       loaded.shading.materialOfTriangle, camera);
             const auto result = vulkan::ifTexelsSuffice([&] {
                 return render::renderPrimaryOnDevice(device, buffers, std::string(traversal), camera);
             });

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The kernels `rays` and `primary` that the processor executes find what the judges find, bit by bit, for
 // each set of instructions.
+#include "fixtures/expect_error.h"
 #include "fixtures/ray_sets.h"
 #include "metamarch/processor/processor_kernels.h"
 #include "metamarch/reference/primary.h"
 #include "metamarch/reference/twins.h"
 #include "metamarch/render/primary_renderer.h"
+#include "metamarch/render/processor_input.h"
 #include "metamarch/render/ray_tracer.h"
 #include "metamarch/shading/view.h"
 #include "traversal/gpu_scenes.h"
@@ -40,7 +42,7 @@ TEST_P(Processor, hitsWhatTheJudgesHit) {
         << "too few hits for a meaningful test";
     for (const ProcessorKernel& kernel : rayKernels()) {
         SCOPED_TRACE(kernel.name);
-        const auto results = render::traceOnProcessor(structure, rays, kernel.run);
+        const auto results = render::traceOnCpu(structure, rays, kernel.run);
         expectSameHits(rays, results, stack, Counters::ignored);
         expectSameHits(rays, results, march, Counters::compared);
     }
@@ -52,10 +54,10 @@ TEST_P(Processor, drawsThePictureTheJudgeDraws) {
     const Camera camera =
         makeCamera(frameBounds(boundsOf(scene), kDefaultVerticalFov, 4.0f / 3.0f), 165, 123);
     const auto expected =
-        renderPrimaryOnCpu(structure, shading.materials, shading.materialOfTriangle, camera);
+        renderPrimaryByJudge(structure, shading.materials, shading.materialOfTriangle, camera);
     for (const ProcessorKernel& kernel : primaryKernels()) {
         SCOPED_TRACE(kernel.name);
-        const auto pixels = render::renderPrimaryOnProcessor(structure, shading, camera, {}, kernel.run);
+        const auto pixels = render::renderPrimaryOnCpu(structure, shading, camera, {}, kernel.run);
         ASSERT_EQ(pixels.size(), expected.size());
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             // All bits but those of steps and tests, which depend on the traversal.
@@ -67,17 +69,46 @@ TEST_P(Processor, drawsThePictureTheJudgeDraws) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Processor, testing::ValuesIn(gpuScenes()),
                          [](const auto& instance) { return instance.param.name; });
 
-TEST(TraceOnProcessor, takesNoRays) {
+TEST(TraceOnCpu, takesNoRays) {
     const Scene scene = load({"cornell", "scenes/cornell.glb"});
-    EXPECT_TRUE(render::traceOnProcessor(buildAccelerationStructure(scene, {}), {}).empty());
+    EXPECT_TRUE(render::traceOnCpu(buildAccelerationStructure(scene, {}), {}).empty());
 }
 
-TEST(PrimaryOnProcessor, keepsEmptyPixelsWhereItIsCancelled) {
+TEST(EmptyScene, isMissed) {
+    const AccelerationStructure structure = buildAccelerationStructure(Scene{}, {});
+    const RayQuery ray{{0, 0, 0}, 0.0f, {0, 0, 1}, kFarthest};
+    for (const ProcessorKernel& kernel : rayKernels()) {
+        const auto results = render::traceOnCpu(structure, std::span(&ray, 1), kernel.run);
+        EXPECT_EQ(results.at(0).triangleId, kNoTriangle) << kernel.name;
+    }
+    const Camera camera = makeCamera(lookAt({0, 0, 3}, {0, 0, 0}, {0, 1, 0}), 5, 3);
+    for (const ProcessorKernel& kernel : primaryKernels()) {
+        for (const FilmPixel& pixel :
+             render::renderPrimaryOnCpu(structure, makeShadingData(Scene{}), camera, {}, kernel.run)) {
+            EXPECT_EQ(pixel.seen.triangleId, kNoTriangle) << kernel.name;
+        }
+    }
+}
+
+TEST(ProcessorInput, refusesWhatLanesCannotCount) {
+    KernelInput input{};
+    const std::byte byte{};
+    const std::span<const std::byte> most(&byte, 0xffffffffu); // never read
+    EXPECT_NO_THROW(render::bindBytes(input, 0, most));
+    EXPECT_EQ(lineOfError(ErrorKind::outOfMemory,
+                          [&] {
+                              render::bindBytes(input, 0, {&byte, std::size_t{1} << 32u});
+                          }),
+              "an array of the scene takes 4.0 GiB, more than the 4 GiB that the cpu's kernels read; "
+              "kd_stack or a gpu reads more");
+}
+
+TEST(PrimaryOnCpu, keepsEmptyPixelsWhereItIsCancelled) {
     const Scene scene = load({"cornell", "scenes/cornell.glb"});
     const AccelerationStructure structure = buildAccelerationStructure(scene, {});
     const Camera camera = makeCamera(frameBounds(boundsOf(scene), kDefaultVerticalFov, 1.0f), 512, 512);
-    const auto pixels = render::renderPrimaryOnProcessor(structure, makeShadingData(scene), camera,
-                                                         [](double) { return false; });
+    const auto pixels =
+        render::renderPrimaryOnCpu(structure, makeShadingData(scene), camera, [](double) { return false; });
     const auto drawn =
         std::ranges::count_if(pixels, [](const FilmPixel& pixel) { return pixel.samples == 1; });
     EXPECT_GT(drawn, 0);

@@ -483,8 +483,8 @@ def render(scene: Scene, **options: Unpack[RenderOptions]) -> Film:
     """Renders a picture. Other threads of Python run meanwhile; Ctrl-C ends the render with KeyboardInterrupt.
 
     Without `backend` a graphics processor renders where there is one with a Vulkan driver, otherwise the processor;
-    Film.device says which. A software driver such as lavapipe renders only where `backend` or `device` asks for it: the
-    processor is faster and draws the same picture to the bit.
+    Film.device says which. A software driver such as lavapipe renders only where `backend`, `device` or a `traversal`
+    that the processor lacks asks for it: the processor draws the same picture to the bit, and in wheels it is faster.
 
     >>> scene = load("scenes/cornell.glb")
     >>> white = render(scene, camera=scene.cameras[0], size=(4, 4), integrator="ao", backend="cpu")
