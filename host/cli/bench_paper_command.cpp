@@ -46,7 +46,7 @@ void runPaper(const PaperOptions& options) {
     makeFolder(folder);
     { const OutputFile probe(folder / "paper.json"); }
 
-    const bench::Origin origin = options.bench.originOf(device.name(), device.report().driverInfo);
+    const bench::Origin origin = options.bench.originOf(device.name(), device.report().driverText());
     printResult(fmt::format("{} ({}), commit {}, {}\n{}\n{}\n", origin.device, origin.driver, origin.commit,
                             origin.date, bench::definitions(), bench::textHeadings()));
     std::vector<bench::Row> rows;

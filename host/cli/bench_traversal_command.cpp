@@ -175,7 +175,7 @@ bench::Origin originOfAll(const BenchOptions& options, const std::vector<BenchDe
     std::vector<std::string> drivers;
     for (const BenchDevice& used : devices) {
         names.push_back(used.device->name());
-        drivers.push_back(used.device->report().driverInfo);
+        drivers.push_back(used.device->report().driverText());
     }
     return options.originOf(fmt::format("{}", fmt::join(names, "; ")),
                             fmt::format("{}", fmt::join(drivers, "; ")));

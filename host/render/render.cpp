@@ -235,7 +235,7 @@ RenderPlace placeOn(const DeviceScene& scene, const RenderSettings& settings) {
     const std::string traversal =
         settings.traversal.empty() ? std::string(marchingTraversal(table)) : settings.traversal;
     requireTable(table, traversal);
-    return {scene.device().name(), scene.device().report().driverInfo, traversal};
+    return {scene.device().name(), scene.device().report().driverText(), traversal};
 }
 
 RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, const RenderSettings& settings,

@@ -84,7 +84,7 @@ std::string PictureSaver::save(const ProgressiveImage& progressive, const Render
     result.area = {0, 0, result.size.x, result.size.y};
     result.film = progressive.film();
     result.device = device.name();
-    result.driver = device.report().driverInfo;
+    result.driver = device.report().driverText();
     result.traversal = traversal;
     result.seconds.render = progressive.seconds();
     const auto saved = [&] { // only once it is there: the folder may be gone

@@ -50,7 +50,7 @@ class Viewer {
         state.file = options.scene.file;
         state.settings = options.settings;
         state.shaderFolder = renderer.shaderFolder().string();
-        state.statistics.device = fmt::format("{} ({})", device.name(), device.report().driverInfo);
+        state.statistics.device = fmt::format("{} ({})", device.name(), device.report().driverText());
         for (const std::string& traversal : state.traversals()) {
             render::requireTraversal(device.report(), traversal);
         }

@@ -58,6 +58,8 @@ struct DeviceReport {
     std::vector<std::string> refusals; // what we need and the device lacks, in words; empty: usable
 
     bool usable() const { return refusals.empty(); }
+    // Returns the driver's version with its name, or the name alone where the driver tells no more.
+    const std::string& driverText() const { return driverInfo.empty() ? driver : driverInfo; }
     // Returns true for a software driver, which computes the CPU's bits. Others may divide within 2.5 units
     // in the last place (Vulkan 1.2, "Precision and Operation of SPIR-V Instructions").
     bool keepsBits() const { return type == DeviceType::cpu; }
