@@ -125,6 +125,8 @@ void runDevices(bool json) {
         printResult(
             fmt::format("{}\n", list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
     }
+    // SwiftShader flushes every stream when it is unloaded, and tells nobody whether that failed.
+    flushResults();
     if (!defaultIndex) {
         throw Error(ErrorKind::noDevice, "no usable Vulkan device; the list above says why");
     }
