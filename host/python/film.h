@@ -49,9 +49,9 @@ class Film {
 };
 
 // Renders as `metamarch render` does. `words` are settings of Call::render; without a backend it is the gpu
-// if there is a graphics processor, otherwise the cpu. If `isOnePass`, the render ends with its next pass over the
-// picture, and `before` has the sums of the passes before, or is null. Ends early if `isStopped` becomes
-// true. Throws what the program would report.
+// if there is a graphics processor, otherwise the cpu. If `isOnePass`, the render ends with its next pass
+// over the picture, and `before` has the sums of the passes before, or is null. Ends early if `isStopped`
+// becomes true. Throws what the program would report.
 std::shared_ptr<Film> renderFilm(const std::shared_ptr<LoadedScene>& scene, Words words, bool isOnePass,
                                  Film* before, const std::atomic<bool>& isStopped);
 
