@@ -9,6 +9,7 @@
 #include "metamarch/render/surface_groups.h"
 #include "metamarch/render/traversal_choice.h"
 #include "metamarch/vulkan/byte_text.h"
+#include "metamarch/vulkan/compute_pipeline.h"
 
 #include <fmt/format.h>
 
@@ -224,6 +225,40 @@ class Render {
     RenderResult result_;
 };
 
+RenderResult drawOnDevice(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
+                          const RenderControl& control) {
+    Render render(scene.scene(), camera, settings, control);
+    RenderResult& result = render.result();
+    static_cast<RenderPlace&>(result) = placeOn(scene, settings);
+    result.seconds.upload = scene.uploadSeconds();
+    std::uint64_t spilled = 0;
+    if (settings.isPrimary()) {
+        render.drawPrimary([&](const OnProgress& onProgress) {
+            DeviceRender drawn =
+                renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, onProgress);
+            result.seconds.firstSubmission = drawn.firstSeconds;
+            result.seconds.device = drawn.deviceSeconds;
+            result.submissions = drawn.submissions;
+            return std::move(drawn.film.pixels);
+        });
+        spilled = scene.device().memoryUse().spilled;
+    } else {
+        const PathWork work = render.work();
+        DevicePathSampler sampler(scene.device(), scene.buffers(), scene.shading(), result.traversal, work);
+        render.drawPaths(sampler, work);
+        spilled = scene.device().memoryUse().spilled; // with the film
+        result.seconds.firstSubmission = sampler.counters().firstSeconds;
+        result.seconds.device = sampler.counters().deviceSeconds;
+        result.submissions = sampler.counters().submissions;
+    }
+    if (spilled > 0) {
+        result.warnings.push_back(fmt::format(
+            "{} find no place in the memory of {}; they lie in host memory, which it reads more slowly",
+            vulkan::byteText(spilled), scene.device().name()));
+    }
+    return render.finish();
+}
+
 } // namespace
 
 RenderPlace placeOnCpu(const RenderSettings& settings) {
@@ -265,36 +300,12 @@ RenderResult renderPicture(const PreparedScene& scene, const Camera& camera, con
 
 RenderResult renderPicture(const DeviceScene& scene, const Camera& camera, const RenderSettings& settings,
                            const RenderControl& control) {
-    Render render(scene.scene(), camera, settings, control);
-    RenderResult& result = render.result();
-    static_cast<RenderPlace&>(result) = placeOn(scene, settings);
-    result.seconds.upload = scene.uploadSeconds();
-    std::uint64_t spilled = 0;
-    if (settings.isPrimary()) {
-        render.drawPrimary([&](const OnProgress& onProgress) {
-            DeviceRender drawn =
-                renderPrimaryOnDevice(scene.device(), scene.buffers(), result.traversal, camera, onProgress);
-            result.seconds.firstSubmission = drawn.firstSeconds;
-            result.seconds.device = drawn.deviceSeconds;
-            result.submissions = drawn.submissions;
-            return std::move(drawn.film.pixels);
-        });
-        spilled = scene.device().memoryUse().spilled;
-    } else {
-        const PathWork work = render.work();
-        DevicePathSampler sampler(scene.device(), scene.buffers(), scene.shading(), result.traversal, work);
-        render.drawPaths(sampler, work);
-        spilled = scene.device().memoryUse().spilled; // with the film
-        result.seconds.firstSubmission = sampler.counters().firstSeconds;
-        result.seconds.device = sampler.counters().deviceSeconds;
-        result.submissions = sampler.counters().submissions;
+    try {
+        return drawOnDevice(scene, camera, settings, control);
+    } catch (const vulkan::BindingOverLimit& error) {
+        throw Error(error.kind, fmt::format("{}; the backend cpu has no such limit", error.what()),
+                    {"backend"});
     }
-    if (spilled > 0) {
-        result.warnings.push_back(fmt::format(
-            "{} find no place in the memory of {}; they lie in host memory, which it reads more slowly",
-            vulkan::byteText(spilled), scene.device().name()));
-    }
-    return render.finish();
 }
 
 } // namespace metamarch::render

@@ -110,11 +110,9 @@ void ComputePipeline::bind(uint32_t binding, const Buffer& buffer) {
     const bool uniform = type == vk::DescriptorType::eUniformBuffer;
     const uint64_t range = uniform ? kUniformRange : device_->report().maxStorageBufferRange;
     if (buffer.size() > range) {
-        throw Error(ErrorKind::outOfMemory,
-                    fmt::format("{}: buffer '{}' of {} is over {}, {}", device_->name(), buffer.name(),
-                                byteText(buffer.size()),
-                                uniform ? "maxUniformBufferRange" : "maxStorageBufferRange",
-                                byteText(range)));
+        throw BindingOverLimit(fmt::format(
+            "{}: buffer '{}' of {} is over {}, {}", device_->name(), buffer.name(), byteText(buffer.size()),
+            uniform ? "maxUniformBufferRange" : "maxStorageBufferRange", byteText(range)));
     }
     const vk::DescriptorBufferInfo bufferInfo(buffer.handle(), 0, VK_WHOLE_SIZE);
     device_->handle().updateDescriptorSets(
@@ -133,10 +131,9 @@ void ComputePipeline::bindTexels(uint32_t binding, const Buffer& buffer) {
     const auto format = static_cast<vk::Format>(texelFormats_.at(binding));
     const uint64_t texels = buffer.size() / vk::blockSize(format);
     if (texels > device_->report().maxTexelBufferElements) {
-        throw Error(ErrorKind::outOfMemory,
-                    fmt::format("{}: buffer '{}' of {} texels is over maxTexelBufferElements, {}",
-                                device_->name(), buffer.name(), texels,
-                                device_->report().maxTexelBufferElements));
+        throw BindingOverLimit(fmt::format("{}: buffer '{}' of {} texels is over maxTexelBufferElements, {}",
+                                           device_->name(), buffer.name(), texels,
+                                           device_->report().maxTexelBufferElements));
     }
     vk::raii::BufferView view(device_->handle(),
                               vk::BufferViewCreateInfo({}, buffer.handle(), format, 0, VK_WHOLE_SIZE));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A compute kernel with its bindings: storage, texel and uniform buffers, all in descriptor set 0.
 #pragma once
+#include "metamarch/error/error.h"
 #include "metamarch/vulkan/box_hierarchy.h"
 #include "metamarch/vulkan/buffer.h"
 #include "metamarch/vulkan/device.h"
@@ -28,6 +29,12 @@ struct KernelInfo {
     std::map<uint32_t, uint32_t> specialization{};
 };
 
+// A buffer is larger than what the device lets a shader see. The kind is ErrorKind::outOfMemory.
+class BindingOverLimit : public Error {
+  public:
+    explicit BindingOverLimit(const std::string& line) : Error(ErrorKind::outOfMemory, line) {}
+};
+
 // Move-only. Drivers may postpone compilation to the first dispatch (lavapipe does), so warm up before
 // timing.
 class ComputePipeline {
@@ -40,8 +47,7 @@ class ComputePipeline {
     ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
     // Binds the whole of `buffer` to `binding`. Must not be called while a Submission that uses this pipeline
-    // is running; the buffer must outlive the last such submission. Throws Error(outOfMemory) if the buffer
-    // is larger than what the device lets a shader see.
+    // is running; the buffer must outlive the last such submission. Throws BindingOverLimit.
     void bind(uint32_t binding, const Buffer& buffer);
     void bind(uint32_t binding, const BoxHierarchy& hierarchy);
 
