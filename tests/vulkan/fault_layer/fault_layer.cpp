@@ -107,7 +107,8 @@ constexpr const char* kOfInstances[] = {"vkGetPhysicalDeviceProperties",
 constexpr const char* kOfDevices[] = {
     "vkCreateShaderModule", "vkAllocateMemory", "vkFreeMemory",          "vkGetBufferMemoryRequirements",
     "vkBeginCommandBuffer", "vkCmdDispatch",    "vkQueueSubmit",         "vkWaitForFences",
-    "vkDeviceWaitIdle",     "vkQueueWaitIdle",  "vkGetQueryPoolResults", "vkAcquireNextImageKHR"};
+    "vkDeviceWaitIdle",     "vkQueueWaitIdle",  "vkGetQueryPoolResults", "vkCreateSwapchainKHR",
+    "vkAcquireNextImageKHR"};
 
 // What lies below an instance or a device. The functions are asked for while it is made: later the loader may
 // answer with those of the topmost layer.
@@ -516,6 +517,22 @@ VKAPI_ATTR VkResult VKAPI_CALL acquireNextImage(const VkDevice device, const VkS
     return result == VK_SUCCESS && has("suboptimal") ? VK_SUBOPTIMAL_KHR : result;
 }
 
+// With the fault noOpaqueAlpha the driver gets what every driver has: SwiftShader's windows take nothing
+// else.
+VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(const VkDevice device,
+                                               const VkSwapchainCreateInfoKHR* const info,
+                                               const VkAllocationCallbacks* const memory,
+                                               VkSwapchainKHR* const chain) {
+    VkSwapchainCreateInfoKHR asked = *info;
+    if (has("noOpaqueAlpha")) {
+        if (asked.compositeAlpha != VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR) {
+            return VK_ERROR_INITIALIZATION_FAILED;
+        }
+        asked.compositeAlpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
+    }
+    return next<PFN_vkCreateSwapchainKHR>(device, "vkCreateSwapchainKHR")(device, &asked, memory, chain);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL getSurfaceFormats(const VkPhysicalDevice physical, const VkSurfaceKHR surface,
                                                  std::uint32_t* const count,
                                                  VkSurfaceFormatKHR* const formats) {
@@ -587,6 +604,7 @@ PFN_vkVoidFunction find(const char* const name, const bool isOfDevices) {
         entry("vkDeviceWaitIdle", deviceWaitIdle),
         entry("vkQueueWaitIdle", queueWaitIdle),
         entry("vkGetQueryPoolResults", getQueryPoolResults),
+        entry("vkCreateSwapchainKHR", createSwapchain),
         entry("vkAcquireNextImageKHR", acquireNextImage),
     };
     for (const Entry& known : ofDevices) {
