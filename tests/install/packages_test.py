@@ -46,7 +46,9 @@ class PackagesTest(unittest.TestCase):
 
     def test_the_program_runs_and_names_the_package_of_the_viewer(self):
         program = self.unpack("metamarch") / "bin/metamarch"
-        self.assertIn("metamarch", run(program, "--version").stdout)
+        version = run(program, "--version").stdout
+        self.assertIn("metamarch", version)
+        self.assertEqual(version, run(BUILD / "metamarch", "--version").stdout, "the package holds an old program")
         asked = run(program, "view")
         self.assertEqual(asked.returncode, 4)
         self.assertIn("install the package metamarch-viewer", asked.stderr)
