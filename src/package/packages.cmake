@@ -13,7 +13,7 @@ set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/metama
 install(TARGETS ${program} COMPONENT program)
 
 # A small OpenImageIO of tools/build_openimageio comes along. Debian's is a package that ours depend on.
-get_target_property(openimageio OpenImageIO::OpenImageIO IMPORTED_LOCATION_RELEASE)
+get_target_property(openimageio OpenImageIO::OpenImageIO LOCATION)
 string(FIND "${openimageio}" ${PROJECT_BINARY_DIR}/ place)
 if(place EQUAL 0)
     get_filename_component(folder ${openimageio} DIRECTORY)
