@@ -4,6 +4,7 @@
 Every test file is called as `FILE METAMARCH [arguments of unittest]` and ends with a call of main(). Nothing in here asserts
 a duration: a wait ends when the awaited state is reached, or fails after a very long time.
 """
+import contextlib
 import os
 import re
 import struct
@@ -268,11 +269,27 @@ class ViewerTest(ProgramTest):
         cls.display = Display()
         cls.addClassCleanup(cls.display.close)
 
+    def setUp(self):
+        super().setUp()
+        self.viewers = []
+
+    @contextlib.contextmanager
+    def subTest(self, *words, **names):
+        """A part that fails or is skipped leaves no window behind: the next part would take it for its own."""
+        before = len(self.viewers)
+        with super().subTest(*words, **names):
+            try:
+                yield
+            finally:
+                for viewer in self.viewers[before:]:
+                    viewer.end()
+
     def open(self, scene, *words, size="160x120", panels=False, environment=None):
         """Opens a viewer, without a scene if that is None; quit() closes it."""
         hidden = () if panels else ("--no-panels",)
         viewer = Viewer(self, [*([scene] if scene else []), "--size", size, *hidden, *words], environment)
         self.addCleanup(viewer.end)
+        self.viewers.append(viewer)
         viewer.wait_for_title(READY if scene or "--tour" in words else "metamarch")
         if panels and int(size.split("x")[0]) < FOLDED_BELOW:
             viewer.settle()
