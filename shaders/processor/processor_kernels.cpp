@@ -27,9 +27,6 @@ constexpr std::uint32_t kRareFeatures =
     kBsdfFeatures | kFeatureAnisotropy | kFeatureDispersion | kFeatureCatcher | kFeatureThinGlass;
 static_assert(kRareFeatures == METAMARCH_RARE_FEATURES, "RARE_FEATURES in CMakeLists.txt");
 
-// Drops the kernels with instructions that this processor lacks. A kernel's name ends with its set of
-// instructions.
-
 } // namespace
 
 std::vector<ProcessorKernel> executable(std::vector<ProcessorKernel> kernels) {
